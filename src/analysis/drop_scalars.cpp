@@ -20,7 +20,7 @@ DropScalars::DropScalars(const Machine& machine) : probes_(machine), supports_(m
     names_.push_back(name);
     columns_.push_back({i,
                         column(Observed::orbit),
-                        column(Observed::penetration),
+                        touch_columns(list, name).value(),
                         column(Observed::contact_force),
                         column(Observed::rub_heat_rate),
                         column(Observed::spin_lag),
@@ -74,7 +74,11 @@ SkidVerdict skid_verdict(const BearingScalars& s, std::size_t n_rows) {
 
 double DropScalars::largest_contact_force() const {
   double largest = 0.;
-  for (const auto& s : scalars_) largest = std::max(largest, s.contact_force.value);
+  for (const auto& s : scalars_) {
+    largest = std::max(largest, s.contact_force.value);
+    if (std::isfinite(s.first_shoulder_contact_time))
+      largest = std::max({largest, s.shoulder_force.largest, -s.shoulder_force.smallest});
+  }
   return largest;
 }
 

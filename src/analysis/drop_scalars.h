@@ -36,6 +36,7 @@ class DropScalars final : public Observer {
   [[nodiscard]] const BearingScalars& of(std::size_t bearing) const { return scalars_[bearing]; }
   /// Index of a bearing among the machine's supports.
   [[nodiscard]] std::size_t support(std::size_t bearing) const { return columns_[bearing].support; }
+  /// Of any bearing, in the bore or on a shoulder [N].
   [[nodiscard]] double largest_contact_force() const;
   /// Whether a bearing's inner ring takes axial loads from the rotor.
   [[nodiscard]] bool is_free(std::size_t bearing) const { return columns_[bearing].axial_force.has_value(); }

@@ -128,7 +128,7 @@ std::vector<Observable> TouchdownBearing::observables() const {
         {{"axial_position", "m", "rotor and inner ring along the axis", 2, {"rotor", "ring"}, Observed::axial_position},
          {"ring_tilt", "rad", "rotation of the inner ring about y and z", 2, yz},
          {"axial_force", "N", "rotor on inner ring along +x, shoulders and friction", 1, {}, Observed::axial_force},
-         {"shoulder_force", "N", "shoulders of the rotor on the inner ring, along +x", 1, {}},
+         {"shoulder_force", "N", "shoulders of the rotor on the inner ring, along +x", 1, {}, Observed::shoulder_force},
          {"ring_moment", "N m", "rotor on inner ring about y and z", 2, yz}});
   if (data_.free_cage)
     list.insert(list.end(),

@@ -34,6 +34,7 @@ enum class Observed {
   gyroscopic_demand,
   axial_position,
   axial_force,
+  shoulder_force,
   // Of a thermal model, absolute:
   temperature,
   inner_ring_temperature,  ///< mean of an inner ring

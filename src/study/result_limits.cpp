@@ -109,6 +109,18 @@ std::string bounds_in_words(const Json& limit) {
                      with_unit(limit["high"], limit["unit"]));
 }
 
+/// Whether a drop ends before the rotor touches anything, a bearing or a contact at a probe: then it has met nothing.
+bool is_fall(const std::vector<std::pair<std::string, double>>& numbers) {
+  bool has_places = false;
+  for (const auto& [name, value] : numbers) {
+    const bool is_of_bearing = name.starts_with("bearings.") && name.ends_with(".first_touch_time"),
+               is_of_probe = name.starts_with("probes.") && name.ends_with(".contact.peak_contact_force");
+    if ((is_of_bearing && std::isfinite(value)) || (is_of_probe && value > 0.)) return false;
+    has_places = has_places || is_of_bearing || is_of_probe;
+  }
+  return has_places;
+}
+
 /// "; 4.1 N to 4.3 N in 3 drops" where a second opinion has the result.
 std::string range_in_words(const Json& opinion, const Json& limit) {
   if (!opinion.is_object()) return {};
@@ -173,15 +185,11 @@ Json assessed(const std::vector<Limit>& limits, const std::vector<std::pair<std:
     const auto found = std::find_if(numbers.begin(), numbers.end(), [&](const auto& n) { return n.first == name; });
     return found == numbers.end() ? std::nan("") : found->second;
   };
-  // A drop that ends before the rotor touches anything has met nothing.
-  const auto is_force = [](const auto& n) { return n.first.ends_with(".peak_contact_force"); };
-  const bool is_fall =
-      std::any_of(numbers.begin(), numbers.end(), is_force) &&
-      std::all_of(numbers.begin(), numbers.end(), [&](const auto& n) { return !is_force(n) || n.second == 0.; });
+  const bool touches_nothing = is_fall(numbers);
   for (const auto& limit : limits) {
     const double value = number(limit.pattern), low = number(limit.pattern + "_low"),
                  high = number(limit.pattern + "_high");
-    const bool is_known = is_complete && !is_fall && std::isfinite(value);
+    const bool is_known = is_complete && !touches_nothing && std::isfinite(value);
     for (const bool is_max : {true, false}) {
       const auto& bound = is_max ? limit.max : limit.min;
       if (!bound) continue;

@@ -1,8 +1,10 @@
 #pragma once
 #include <array>
+#include <cmath>
 #include <optional>
 #include <string>
 
+#include "analysis/watch/bearing_touch.h"
 #include "analysis/watch/followed.h"
 #include "bearing/touchdown_parameters.h"
 #include "machine/machine.h"
@@ -11,18 +13,21 @@ namespace rotordrop {
 
 /// Where a touchdown bearing's values stand among a machine's step observables.
 struct BearingColumns {
-  std::size_t support, orbit, penetration, contact_force, rub_heat_rate, spin_lag, load_torque, spin_torque,
-      inner_heat_rate, outer_heat_rate, ring_speed, ball_force, contact_pressure, n_rows, clearance, growth, preload,
-      skid_demand, gyroscopic_demand, centrifugal_force, ellipse_truncation;
+  std::size_t support, orbit;
+  TouchColumns touch;
+  std::size_t contact_force, rub_heat_rate, spin_lag, load_torque, spin_torque, inner_heat_rate, outer_heat_rate,
+      ring_speed, ball_force, contact_pressure, n_rows, clearance, growth, preload, skid_demand, gyroscopic_demand,
+      centrifugal_force, ellipse_truncation;
   std::optional<std::size_t> axial_force, axial_position;
 };
 
 /// Scalars of one touchdown bearing, followed from step to step. NaN where something has not happened. Numbers alone: what runs in lanes is copied so.
 template <class Real>
 struct BearingScalarsOf {
-  Real first_contact_time = never;                ///< penetration first passes zero [s]
+  Real first_contact_time = never;                ///< penetration of the bore first passes zero [s]
   Real first_contact_end = never;                 ///< and first falls below it [s]
   Real second_contact_time = never;               ///< [s]
+  Real first_shoulder_contact_time = never;       ///< a shoulder first presses on the ring [s]
   FollowedPeakOf<Real> contact_force;             ///< [N]
   Real first_bounce_apex = never;                 ///< highest y of the rotor between first and second contact [m]
   FollowedPeakOf<Real> friction_heat_rate;        ///< [W]
@@ -40,6 +45,7 @@ struct BearingScalarsOf {
   FollowedDemandOf<Real> skid, gyroscopic;                           ///< of the row that asks for most
   std::array<FollowedDemandOf<Real>, TouchdownBearing::max_rows> row_skid;
   FollowedRangeOf<Real> axial_force, axial_position;  ///< of rotor on ring [N], of the rotor [m]; of a free ring
+  FollowedRangeOf<Real> shoulder_force;               ///< the shoulders' part of the former [N]
   Real ring_speed_end = never;                        ///< [rad/s]
   // The last step, for crossings.
   Real time = never, penetration = never, spin_lag = never;
@@ -50,6 +56,7 @@ struct BearingScalarsOf {
     f("first contact time", std::array{&first_contact_time});
     f("first contact end", std::array{&first_contact_end});
     f("second contact time", std::array{&second_contact_time});
+    f("first shoulder contact time", std::array{&first_shoulder_contact_time});
     f("first bounce apex", std::array{&first_bounce_apex});
     f("catch-up time", std::array{&catch_up_time});
     f("ring speed end", std::array{&ring_speed_end});
@@ -68,6 +75,7 @@ struct BearingScalarsOf {
     f("gyroscopic", gyroscopic.numbers());
     f("axial force", axial_force.numbers());
     f("axial position", axial_position.numbers());
+    f("shoulder force", shoulder_force.numbers());
     for (std::size_t k = 0; k < growth.size(); ++k)
       f(std::string("growth of ") + growth_surface_names[k], growth[k].numbers());
     for (std::size_t row = 0; row < row_pressure.size(); ++row) {
@@ -82,6 +90,12 @@ struct BearingScalarsOf {
 
 using BearingScalars = BearingScalarsOf<double>;
 
+/// When the rotor first touches the bearing, in the bore or on a shoulder [s]; NaN: never.
+[[nodiscard]] inline double first_touch_time(const BearingScalars& s) {
+  return std::fmin(s.first_contact_time, s.first_shoulder_contact_time);
+}
+[[nodiscard]] inline bool has_touched(const BearingScalars& s) { return std::isfinite(first_touch_time(s)); }
+
 /// Time at which a quantity falls or rises through `level` between two instants, by a straight line.
 template <class Real>
 [[nodiscard]] Real crossing(const Real& t_0, const Real& value_0, const Real& t_1, const Real& value_1,
@@ -94,7 +108,7 @@ template <class Real>
 template <class Real, class StepValues>
 void follow(BearingScalarsOf<Real>& s, const BearingColumns& c, const MaskOf<Real>& told, const Real& t,
             const StepValues& step) {
-  const Real penetration = step[c.penetration], lag = step[c.spin_lag], y = step[c.orbit];
+  const Real penetration = step[c.touch.penetration], lag = step[c.spin_lag], y = step[c.orbit];
   const MaskOf<Real> touches = penetration > 0., touched = s.penetration > 0.;
   const MaskOf<Real> changes = told & ((touches & (!touched)) | (touched & (!touches)));
   if (any(changes)) {
@@ -140,6 +154,11 @@ void follow(BearingScalarsOf<Real>& s, const BearingColumns& c, const MaskOf<Rea
   s.gyroscopic.follow(told, t, gyroscopic, ring_speed);
   if (c.axial_force) s.axial_force.follow(told, t, step[*c.axial_force]);
   if (c.axial_position) s.axial_position.follow(told, t, step[*c.axial_position]);
+  if (c.touch.shoulder_force) {
+    s.shoulder_force.follow(told, t, step[*c.touch.shoulder_force]);
+    put(told & is_shoulder_touched<Real>(c.touch, step) & is_never(s.first_shoulder_contact_time),
+        s.first_shoulder_contact_time, t);
+  }
 
   put(told, s.ring_speed_end, ring_speed);
   put(told, s.time, t);

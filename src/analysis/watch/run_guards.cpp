@@ -242,10 +242,9 @@ std::vector<RunWarning> warnings_at_end(const EndedRun& run) {
                         double time = RunWarning::never, double duration = RunWarning::never) {
     list.push_back({find_warning_kind(code), place, part, 1, worst, limit, time, RunWarning::never, duration});
   };
-  bool has_touched = run.scalars.size() == 0;
-  for (std::size_t i = 0; i < run.scalars.size(); ++i)
-    has_touched = has_touched || std::isfinite(run.scalars.of(i).first_contact_time);
-  if (!has_touched && run.is_whole) warn("no-contact", "", "", run.end_time, run.end_time);
+  bool touches_any = run.scalars.size() == 0;
+  for (std::size_t i = 0; i < run.scalars.size(); ++i) touches_any = touches_any || has_touched(run.scalars.of(i));
+  if (!touches_any && run.is_whole) warn("no-contact", "", "", run.end_time, run.end_time);
   for (std::size_t i = 0; i < run.scalars.size(); ++i) {
     const auto& s = run.scalars.of(i);
     const std::string& name = run.scalars.name(i);

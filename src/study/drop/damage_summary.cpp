@@ -68,19 +68,22 @@ Json not_assessed(const std::optional<FatigueShare>& fatigue, const TouchdownPar
 }  // namespace
 
 Json damage_json(const BearingSummary& b, const std::optional<FatigueShare>& fatigue, const TouchdownParameters& p) {
-  if (std::isnan(b.scalars.first_contact_time)) return not_assessed(fatigue, p);
+  if (!has_touched(b.scalars)) return not_assessed(fatigue, p);
   const double safety = static_safety(b.scalars.contact_pressure.value);
   const Json wear = b.local ? wear_json(*b.local) : Json::object();
   const double wear_drops = number_at(wear, "/drops_until_limit");
   const double wear_share = std::isfinite(wear_drops) ? 1. / wear_drops : 0.;
   const double fatigue_share = fatigue ? fatigue->share : 0.;
+  // Shoulders wear, too, but that is not computed: where the bore does not, nothing is known of it.
+  const bool is_on_shoulder = std::isfinite(b.scalars.first_shoulder_contact_time);
+  const bool has_wear = b.local && !(is_on_shoulder && wear_share == 0.);
   const bool is_safe = safety >= p.required_static_safety;
   Json j;
   j["assessed"] = true;
   j["static_safety"] = json_number(safety);
   j["required_static_safety"] = p.required_static_safety;
   j["fatigue"] = fatigue ? fatigue_json(*fatigue) : Json(nullptr);
-  j["wear_share"] = b.local ? Json(wear_share) : Json(nullptr);
+  j["wear_share"] = has_wear ? Json(wear_share) : Json(nullptr);
   j["allowed_drops"] = is_safe ? drops_of(std::max(fatigue_share, wear_share)) : Json(0);
   j["governed_by"] = !is_safe                       ? Json("static safety")
                      : j["allowed_drops"].is_null() ? Json("nothing")
@@ -90,10 +93,12 @@ Json damage_json(const BearingSummary& b, const std::optional<FatigueShare>& fat
                             "least {:.4g} required",
                             p.required_static_safety),
                 fatigue_basis(fatigue),
-                b.local ? fmt::format("wear: Archard, until contact.wear_depth_limit = {:.4g} um, every drop at the "
-                                      "same place",
-                                      number_at(wear, "/depth_limit") * 1e6)
-                        : "wear: not assessed"};
+                has_wear ? fmt::format("wear: Archard, until contact.wear_depth_limit = {:.4g} um, every drop at the "
+                                       "same place{}",
+                                       number_at(wear, "/depth_limit") * 1e6,
+                                       is_on_shoulder ? "; of the bore, wear at the shoulders is not computed" : "")
+                : is_on_shoulder ? "wear: not assessed, the rotor rubs on a shoulder, whose wear is not computed"
+                                 : "wear: not assessed"};
   return j;
 }
 
@@ -106,7 +111,8 @@ std::string damage_text(const Json& d, std::size_t indent) {
   text += d["static_safety"].is_null() ? "unloaded" : fmt::format("{:.3g}", d["static_safety"].get<double>());
   text += d["fatigue"].is_null() ? ", fatigue not assessed (no C)"
                                  : fmt::format(", fatigue {:.2g} of L10", d["fatigue"]["share"].get<double>());
-  if (!d["wear_share"].is_null()) text += fmt::format(", wear {:.2g} of its limit", d["wear_share"].get<double>());
+  text += d["wear_share"].is_null() ? ", wear not assessed"
+                                    : fmt::format(", wear {:.2g} of its limit", d["wear_share"].get<double>());
   const bool has_fatigue = !d["fatigue"].is_null(), has_wear = !d["wear_share"].is_null();
   if (d["allowed_drops"].is_null())
     text += has_fatigue || has_wear ? "; allowed drops: no limit found" : "; allowed drops: not assessed";

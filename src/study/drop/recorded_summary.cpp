@@ -109,6 +109,7 @@ BearingSummary bearing_of(const std::string& name, const Json& j) {
   if (b.is_free) {
     b.scalars.axial_force.smallest = number(j.at("axial").at("force"), "smallest");
     b.scalars.axial_force.largest = number(j.at("axial").at("force"), "largest");
+    b.scalars.first_shoulder_contact_time = number(j.at("axial"), "first_shoulder_contact_time");
   }
   if (j.contains("shoulder")) b.shoulder = shoulder_of(j.at("shoulder"));
   if (j.contains("support") && j.at("support").is_object()) b.support = support_of(j.at("support"));

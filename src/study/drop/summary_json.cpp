@@ -31,6 +31,7 @@ Json demand(const FollowedDemand& d) {
 Json bearing_json(const BearingSummary& b) {
   const BearingScalars& s = b.scalars;
   Json j;
+  j["first_touch_time"] = json_number(first_touch_time(s));
   j["first_contact_time"] = json_number(s.first_contact_time);
   j["first_contact_end"] = json_number(s.first_contact_end);
   j["second_contact_time"] = json_number(s.second_contact_time);
@@ -73,6 +74,10 @@ Json bearing_json(const BearingSummary& b) {
   j["clearance"] = range(s.clearance);
   for (std::size_t k = 0; k < growth_surfaces.size(); ++k) j["growth"][growth_surface_keys[k]] = range(s.growth[k]);
   if (b.is_free) j["axial"] = {{"force", range(s.axial_force)}, {"rotor_position", range(s.axial_position)}};
+  if (b.shoulder) {
+    j["axial"]["shoulder_force"] = range(s.shoulder_force);
+    j["axial"]["first_shoulder_contact_time"] = json_number(s.first_shoulder_contact_time);
+  }
   for (const auto& rises : b.rises)
     for (const auto& [node, rise] : rises.values)
       (rises.kind->is_unmarked ? j : j[rises.kind->name])["temperature_rise_end"][node] = rise;

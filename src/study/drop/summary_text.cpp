@@ -55,8 +55,12 @@ std::string bearing_text(const BearingSummary& b, double ambient) {
   const BearingScalars& s = b.scalars;
   const std::size_t indent = b.name.size() + 2;
   std::string text = fmt::format(
-      "{}: first contact {}, peak contact force {:.2f} kN, rub heat {:.1f} J (peak {:.1f} kW)\n", b.name,
-      ms(s.first_contact_time), s.contact_force.value * 1e-3, b.friction_heat, s.friction_heat_rate.value * 1e-3);
+      "{}: first contact {}, peak contact force {}{:.2f} kN, rub heat {:.1f} J (peak {:.1f} kW)\n", b.name,
+      b.shoulder
+          ? fmt::format("in the bore {}, on a shoulder {}", ms(s.first_contact_time), ms(s.first_shoulder_contact_time))
+          : ms(s.first_contact_time),
+      b.shoulder ? "in the bore " : "", s.contact_force.value * 1e-3, b.friction_heat,
+      s.friction_heat_rate.value * 1e-3);
   text += fmt::format("{:{}}ring speed {:.0f} rpm at the end, spin-up complete: {}; mean temperature rise {}\n", "",
                       indent, s.ring_speed_end * to_rpm, ms(s.catch_up_time), all_rises_text(b, ambient));
   if (b.local) text += local_text(b.name, *b.local);

@@ -43,6 +43,11 @@ class Checks {
   Json list_ = Json::array();
 };
 
+/// Whether the rotor presses a shoulder on the ring: nothing of what rubs there is computed but force and heat.
+bool is_on_shoulder(const Json& summary, const std::string& name) {
+  return std::isfinite(number_at(summary, "/bearings/" + name + "/axial/first_shoulder_contact_time"));
+}
+
 void check_clearance(Checks& checks, const RecordedDrop& drop, const std::string& name) {
   const std::string path = "/bearings/" + name + "/clearance";
   if (!drop.has(path)) return;
@@ -173,7 +178,11 @@ void check_local_temperature(Checks& checks, const RecordedDrop& drop, const Jso
     return;
   }
   if (!std::isfinite(time)) {
-    checks.add(title, true, "rotor and bore never rub");
+    if (is_on_shoulder(summary, name))
+      checks.unknown(title,
+                     "not assessed: the bore never rubs, and temperatures where a shoulder rubs are not computed");
+    else
+      checks.add(title, true, "rotor and bore never rub");
     return;
   }
   const double ambient = drop.parameters().run.ambient, limit = temperature_limit(drop, b.ring);
@@ -203,15 +212,20 @@ void check_wear(Checks& checks, const Json& summary, const std::string& name) {
     return;
   }
   if (!std::isfinite(drops)) {
-    checks.add(name + ": wear", true, "none: nothing rubs, or the wear coefficients are zero");
+    if (is_on_shoulder(summary, name))
+      checks.unknown(name + ": wear",
+                     "not assessed: no wear in the bore, and wear where a shoulder rubs is not computed");
+    else
+      checks.add(name + ": wear", true, "none: nothing rubs, or the wear coefficients are zero");
     return;
   }
   checks.add(
       name + ": wear", drops >= 1.,
       fmt::format("largest depth {:.2g} um in the bore and {:.2g} um in the rotor after this drop; {:.2g} such drops "
-                  "at the same position until {:.3g} um. Wear coefficients are known to a factor of ten at best",
+                  "at the same position until {:.3g} um. Wear coefficients are known to a factor of ten at best{}",
                   bore * 1e6, number_at(summary, key + "rotor_depth") * 1e6, drops,
-                  number_at(summary, key + "depth_limit") * 1e6));
+                  number_at(summary, key + "depth_limit") * 1e6,
+                  is_on_shoulder(summary, name) ? "; wear at the shoulders is not computed" : ""));
 }
 
 void check_temperatures(Checks& checks, const RecordedDrop& drop, const std::string& name,

@@ -108,7 +108,7 @@ TEST(StudyFile, FitsPatternsWithinOnePartOfAName) {
 
 TEST(ResultNames, HaveUnitsAndMeanings) {
   EXPECT_EQ(meaning_of("bearings.TB1.peak_contact_force").unit, "N");
-  EXPECT_EQ(meaning_of("bearings.TB1.peak_contact_force").long_name, "TB1: peak contact force of rotor on ring");
+  EXPECT_EQ(meaning_of("bearings.TB1.peak_contact_force").long_name, "TB1: peak contact force in the bore");
   EXPECT_EQ(meaning_of("bearings.TB2.rows[1].largest_contact_pressure_time").unit, "s");
   EXPECT_EQ(meaning_of("bearings.TB2.growth.bore.largest_time").unit, "s");
   EXPECT_EQ(meaning_of("bearings.TB2.growth.bore.largest").unit, "m");

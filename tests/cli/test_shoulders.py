@@ -1,0 +1,75 @@
+"""A rotor that lands on a thrust shoulder touches its bearing: params/vertical-drop.toml, a machine on end whose magnets let go after 2 ms.
+
+It hangs 0.11 mm low in its thrust magnet, 0.2 mm above the shoulder of TB2, and lands on it after some 10 ms.
+Nothing moves it across its axis but a small unbalance: the bores are not touched.
+"""
+
+import sys
+import unittest
+
+import h5py
+import numpy
+
+sys.path.insert(0, __file__.rpartition("/")[0])
+from program import PARAMS, ProgramTest, page_data, settings  # noqa: E402
+
+
+class Shoulders(ProgramTest):
+    def drop(self, output, *lines, options=(), **keys):
+        self.write("drop.toml", "\n".join((f'base = "{PARAMS / "vertical-drop.toml"}"', *lines)) + "\n")
+        self.done = self.call("run", "drop.toml", "-o", output, *options, *settings(**({"run__end_time": "25 ms"} | keys)))
+        return self.summary(output)
+
+    def test_a_landing_on_a_shoulder_is_assessed(self):
+        limits = ('[limits]', '"bearings.TB2.static_safety" = { min = 1e6 }', '"bearings.TB2.axial.force.smallest" = { min = "-10 N" }', '"bearings.TB2.damage.allowed_drops" = { min = 1 }')
+        summary = self.drop("out", *limits, options=("--accept",), bearings__TB2__C="33 kN", bearings__TB2__required_static_safety="0.01")
+        self.assertEqual(self.done.returncode, 3, self.done.stdout + self.done.stderr)
+        pair = summary["bearings"]["TB2"]
+        with h5py.File(self.folder / "out/results.h5") as file:
+            t, force = file["time"][:], file["bearings/TB2/shoulder_force"][:]
+            self.assertFalse((file["bearings/TB2/penetration"][:] > 0).any(), "the bore is not touched")
+        self.assertAlmostEqual(pair["first_touch_time"], t[numpy.argmax(force != 0)], delta=60e-6, msg="s: rows are 50 us apart")
+        self.assertEqual(pair["axial"]["first_shoulder_contact_time"], pair["first_touch_time"])
+        self.assertLessEqual(pair["axial"]["shoulder_force"]["smallest"], force.min())
+        self.assertLess(force.min(), -1000, "N")
+        self.assertEqual((pair["first_contact_time"], pair["peak_contact_force"]), (None, 0), "of the bore")
+        self.assertNotIn("no-contact", [warning["code"] for warning in summary["warnings"]])
+        verdicts = {limit["key"]: limit["accepted"] for limit in summary["limits"]}
+        self.assertEqual(verdicts, {"bearings.TB2.static_safety": False, "bearings.TB2.axial.force.smallest": False, "bearings.TB2.damage.allowed_drops": True})
+        self.assertIs(summary["accepted"], False)
+
+        damage = pair["damage"]
+        self.assertIs(damage["assessed"], True)
+        self.assertAlmostEqual(damage["static_safety"], pair["static_safety"], delta=1e-9 * pair["static_safety"])
+        self.assertGreater(damage["fatigue"]["share"], 0)
+        self.assertIsNone(damage["wear_share"], "shoulders wear, but nobody computes it")
+        self.assertIn("wear: not assessed, the rotor rubs on a shoulder", damage["basis"][2])
+        self.assertIs(summary["bearings"]["TB1"]["damage"]["assessed"], False, "it has no shoulders")
+        self.assertIsNone(summary["bearings"]["TB1"]["first_touch_time"])
+        self.assertRegex(self.done.stdout, r"TB2: first contact in the bore never, on a shoulder 1\d(\.\d+)? ms, peak contact force in the bore 0.00 kN")
+        self.assertRegex(self.done.stdout, r"damage per drop: static safety [\d.]+, fatigue [\d.e-]+ of L10, wear not assessed; allowed drops: \d+ \(fatigue\)")
+
+        self.succeed("report", "out")
+        checks = {check["name"]: check for check in page_data((self.folder / "out/report.html").read_text())["checks"]}
+        for name, word in (("TB2: wear", "wear where a shoulder rubs is not computed"), ("TB2: local temperature where rotor and bore rub", "a shoulder rubs")):
+            self.assertEqual(checks[name]["state"], "unknown")
+            self.assertIn(word, checks[name]["text"])
+        self.assertEqual(checks["TB1: wear"]["state"], "ok")
+
+    def test_run_and_study_agree_on_a_landing(self):
+        limit = '"bearings.TB2.axial.force.smallest" = { min = "-10 N" }'
+        one = self.drop("out", "[limits]", limit)
+        self.assertIs(one["accepted"], False)
+        self.write("study.toml", f'case = "drop.toml"\n[vary]\n"bearings.TB2.shoulders.gap_plus_x" = ["0.3 mm", "0.31 mm"]\n[design]\nkind = "list"\n[limits]\n{limit}\n')
+        done = self.succeed("study", "study.toml", "-o", "study", *settings(run__end_time="25 ms"))
+        self.assertRegex(done.stdout, r"axial\.force\.smallest below -10 N: 2 of 2 drops")
+
+    def test_a_rotor_that_falls_and_touches_nothing_is_not_assessed(self):
+        summary = self.drop("out", "[limits]", '"bearings.TB2.static_safety" = { min = 1e6 }', run__end_time="4 ms")
+        self.assertIsNone(summary["accepted"])
+        self.assertEqual([warning["code"] for warning in summary["warnings"]], ["no-contact"])
+        self.assertIs(summary["bearings"]["TB2"]["damage"]["assessed"], False)
+
+
+if __name__ == "__main__":
+    unittest.main()
