@@ -8,13 +8,12 @@ namespace rotordrop {
 
 RunEnd::RunEnd(const Machine& machine, EndCondition condition) : condition_(condition) {
   const auto& list = machine.step_observables();
-  for (const auto& penetration : columns_of(list, Observed::penetration))
-    if (const auto lag = columns_of(list, Observed::spin_lag, penetration.place))
-      touchdown_.push_back({penetration.first, lag->first});
+  for (const auto& lag : columns_of(list, Observed::spin_lag))
+    if (const auto touch = touch_columns(list, lag.place)) touchdown_.push_back({*touch, lag.first});
 }
 
 void RunEnd::follow(double t, std::span<const double> step, double spin) {
-  const auto touches = [&](const Columns& c) { return step[c.penetration] > 0.; };
+  const auto touches = [&](const Columns& c) { return is_touched<double>(c.touch, step); };
   const auto is_at_speed = [&](const Columns& c) { return std::fabs(step[c.spin_lag]) < 0.01; };
   switch (condition_) {
     case EndCondition::time:

@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "analysis/watch/bearing_touch.h"
 #include "machine/machine.h"
 #include "machine/machine_parameters.h"
 
@@ -24,7 +25,8 @@ class RunEnd {
 
  private:
   struct Columns {
-    std::size_t penetration, spin_lag;
+    TouchColumns touch;
+    std::size_t spin_lag;
   };
   EndCondition condition_;
   std::vector<Columns> touchdown_;

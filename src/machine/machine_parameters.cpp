@@ -90,15 +90,17 @@ Section<RunParameters> run_section() {
               .fallback = "0.3 s",
               .source = "Neisi, Heikkinen & Sopanen 2019",
               .help = "Simulated time; with run.until the latest end of the run."});
-  s.custom("until",
-           {.accepts = "\"standstill\", \"no contact\", \"rings at speed\", or a time",
-            .json_types = {"string", "number"},
-            .help = "Condition that ends the run before run.end_time. standstill: the rotor's spin speed falls below 1 "
-                    "rad/s. no "
-                    "contact: after a contact, the rotor has touched no inner ring for 0.1 s, longer than any bounce. "
-                    "rings at speed: the bores of all inner rings run within 1 % of the rotor's surface speed. The run "
-                    "ends with the step in which this first holds."},
-           read_until);
+  s.custom(
+      "until",
+      {.accepts = "\"standstill\", \"no contact\", \"rings at speed\", or a time",
+       .json_types = {"string", "number"},
+       .help = "Condition that ends the run before run.end_time. standstill: the rotor's spin speed falls below 1 "
+               "rad/s. no "
+               "contact: after a contact, the rotor has touched no inner ring, in its bore or with a shoulder, for 0.1 "
+               "s, longer than any bounce. "
+               "rings at speed: the bores of all inner rings run within 1 % of the rotor's surface speed. The run "
+               "ends with the step in which this first holds."},
+      read_until);
   s.quantity("initial_speed", &P::initial_speed,
              {.unit = "rad/s",
               .range = between(-2e4, 2e4),

@@ -4,14 +4,17 @@ It hangs 0.11 mm low in its thrust magnet, 0.2 mm above the shoulder of TB2, and
 Nothing moves it across its axis but a small unbalance: the bores are not touched.
 """
 
+import shutil
+import signal
 import sys
+import time
 import unittest
 
 import h5py
 import numpy
 
 sys.path.insert(0, __file__.rpartition("/")[0])
-from program import PARAMS, ProgramTest, page_data, settings  # noqa: E402
+from program import PARAMS, ProgramTest, page_data, settings, start  # noqa: E402
 
 
 class Shoulders(ProgramTest):
@@ -69,6 +72,48 @@ class Shoulders(ProgramTest):
         self.assertIsNone(summary["accepted"])
         self.assertEqual([warning["code"] for warning in summary["warnings"]], ["no-contact"])
         self.assertIs(summary["bearings"]["TB2"]["damage"]["assessed"], False)
+
+    def test_no_contact_does_not_end_a_run_whose_rotor_stands_on_a_shoulder(self):
+        # Pushed sideways it meets the bores, too, and leaves them; it then stands and rubs on TB2's shoulder.
+        summary = self.drop("out", run__until="no contact", run__end_time="0.36 s", rotor__initial_velocity='["0.3 m/s", "0 m/s"]')
+        self.assertEqual(summary["run"]["ended_by"], "end_time", self.done.stdout)
+        with h5py.File(self.folder / "out/results.h5") as file:
+            t, pair = file["time"][:], file["bearings/TB2"]
+            touched = (pair["penetration"][:] > 0) | (file["bearings/TB1/penetration"][:] > 0)
+            self.assertLess(t[touched].max(), 0.25, "s: the bores were left for 0.1 s")
+            self.assertTrue((pair["shoulder_force"][:][t > 0.35] < 0).any())
+
+    def test_no_contact_ends_a_run_after_the_last_touch_of_a_shoulder(self):
+        # Thrown onto the shoulder within sqrt(2 * 0.3 mm * 109.7 kg / 1 kN) = 8.1 ms and then left alone, without weight: it bounces off and drifts away.
+        shutil.copy(PARAMS / "neisi2019-thrust.toml", self.folder / "thrust.toml")
+        for name in ("neisi2019.toml", "neisi2019-settling.toml"):
+            shutil.copy(PARAMS / name, self.folder)
+        thrown = settings(rotor__axial_force='[["8.2 ms", "-1 kN"], ["8.3 ms", "0 N"]]', rotor__unbalance="[]", run__gravity="[0, 0, 0]", bearings__TB2__shoulders__gap_minus_x="50 mm")
+        self.succeed("run", "thrust.toml", "-o", "out", *thrown, *settings(run__until="no contact", run__end_time="0.5 s"))
+        self.assertEqual(self.summary()["run"]["ended_by"], "no contact")
+        with h5py.File(self.folder / "out/results.h5") as file:
+            t, touched = file["time"][:], file["bearings/TB2/shoulder_force"][:] != 0
+            self.assertFalse((file["bearings/TB2/penetration"][:] > 0).any())
+        self.assertAlmostEqual(t[-1] - t[touched][-1], 0.1, delta=110e-6, msg="s; rows are 50 us apart, and the end is a step's")
+
+    def test_an_interrupted_landing_resumes_bit_for_bit(self):
+        self.write("drop.toml", f'base = "{PARAMS / "vertical-drop.toml"}"\n')
+        long = settings(run__end_time="0.13 s", run__until="no contact", integration__method="runge-kutta-4", integration__step="0.5 us")
+        process = start("run", "drop.toml", "-o", "out", *long, cwd=self.folder)
+        self.addCleanup(process.communicate)
+        self.addCleanup(process.kill)
+        while process.poll() is None and not (self.folder / "out/results.h5").exists():
+            time.sleep(0.01)
+        time.sleep(0.3)
+        process.send_signal(signal.SIGINT)
+        self.assertEqual(process.wait(60), 130, "it ended before it could be interrupted")
+        self.succeed("run", "drop.toml", "-o", "out", "--resume", *long)
+        self.succeed("run", "drop.toml", "-o", "whole", *long)
+        for name, bearing in self.summary("whole")["bearings"].items():
+            self.assertEqual(self.summary("out")["bearings"][name], bearing)
+        with h5py.File(self.folder / "out/results.h5") as parts, h5py.File(self.folder / "whole/results.h5") as whole:
+            for path in ("time", "bearings/TB2/shoulder_force", "rotor/spin_speed"):
+                numpy.testing.assert_array_equal(parts[path][:], whole[path][:], err_msg=path)
 
 
 if __name__ == "__main__":
