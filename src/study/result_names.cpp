@@ -109,6 +109,43 @@ constexpr std::array rules{
     Rule{"support.loss", "J", "energy that the support dissipates"},
     Rule{"support.largest_stored_energy", "J", "largest energy in the springs of the support"},
     Rule{"support.meets_stop", "1", "whether the outer ring meets its stop"},
+    Rule{"support", "1", "support of the outer ring: there is none"},
+    Rule{"spin_up", "1", "balance of the spin-up: there is none with a free cage"},
+    Rule{"shoulder.stiffness", "N/m", "stiffness of the shoulders' contact"},
+    Rule{"shoulder.rotor_stiffness", "N/m", "stiffness of the rotor's shoulder"},
+    Rule{"shoulder.ring_stiffness", "N/m", "stiffness of the ring's wall behind its face"},
+    Rule{"sides[].gap", "m", "axial gap to the shoulder"},
+    Rule{"sides[].thrust", "N", "largest thrust towards the shoulder"},
+    Rule{"sides[].approach_speed", "m/s", "speed at which the rotor reaches the shoulder, estimated"},
+    Rule{"force_by_energy.half_stiffness", "N", "shoulder force by energy with half the stiffness"},
+    Rule{"force_by_energy.stiffness", "N", "shoulder force by energy"},
+    Rule{"force_by_energy.double_stiffness", "N", "shoulder force by energy with double the stiffness"},
+    Rule{"node", "1", "node of the probe"},
+    Rule{"smallest_clearance", "m", "smallest clearance left at the probe, negative beyond it"},
+    Rule{"clearance", "m", "clearance at the probe"},
+    Rule{"touches", "1", "whether the rotor used up the clearance"},
+    Rule{"time_touching", "s", "time beyond the clearance"},
+    Rule{"contact.damping", "J", "energy dissipated by the damping of the contact at the probe"},
+    Rule{"fe.unknowns", "1", "unknowns of the finite elements"},
+    Rule{"fe.cells", "1", "cells of the finite elements"},
+    Rule{"fe.modes", "1", "modes of the reduced finite elements"},
+    Rule{"largest_response_error", "1", "largest error of the modes' response"},
+    Rule{"housing_fit.largest_open", "1", "largest open part of the fit in the housing"},
+    Rule{"housing_fit.mean_pressure_end", "Pa", "mean pressure of the fit in the housing at the end"},
+    Rule{"housing_fit.lowest_pressure", "Pa", "lowest pressure of the fit in the housing"},
+    Rule{"windows.count", "1", "number of windows"},
+    Rule{"windows.shortest", "s", "shortest window"},
+    Rule{"windows.longest", "s", "longest window"},
+    Rule{"windows.mean", "s", "mean length of the windows"},
+    Rule{"windows.tolerance", "m", "growth error that a window may leave"},
+    Rule{"windows.beyond_tolerance", "1", "windows that left a larger growth error"},
+    Rule{"windows.largest_growth_error", "m", "largest growth error of a window"},
+    Rule{"windows.largest_growth", "m", "largest growth in the windows"},
+    Rule{"windows.cpu_time", "s", "computing time of the windows"},
+    Rule{"windows.heat_input", "J", "heat input of the windows"},
+    Rule{"windows.heat_stored", "J", "heat stored in the windows"},
+    Rule{"windows.heat_lost", "J", "heat lost to ambient in the windows"},
+    Rule{"windows.heat_residual", "J", "heat of the windows not accounted for"},
     Rule{"run.end_time", "s", "end of the simulated time"},
     Rule{"run.ambient", "K", "temperature of the surroundings"},
     Rule{"run.completed", "1", "whether the run came to its end"},
@@ -127,6 +164,19 @@ constexpr std::array ranges{
     Rule{"axial.rotor_position", "m", "axial position of the rotor"},
     Rule{"axial.shoulder_force", "N", "force of the shoulders on the ring along +x"},
     Rule{"growth.*", "m", "growth"},
+};
+
+// Results whose last parts are names of bodies, surfaces or ports: what stands before those, within a name.
+constexpr std::array groups{
+    Rule{".temperature_rise_end.", "K", "temperature rise at the end"},
+    Rule{".surface_rise.", "K", "temperature rise"},
+    Rule{".heat_capacity.", "J/K", "heat capacity"},
+    Rule{".response_error.", "1", "error of the modes' response"},
+    Rule{".mean_response_error.", "1", "error of the modes' response"},
+    Rule{".hoop_stress.", "Pa", "hoop stress at the end"},
+    Rule{".fit_pressure.open", "1", "open part of the fit in the housing at the end"},
+    Rule{".fit_pressure.", "Pa", "pressure of the fit in the housing at the end"},
+    Rule{".raceway_growth.", "m", "displacement of a raceway's strip at the end"},
 };
 
 constexpr double hertz = 0.5 / std::numbers::pi;
@@ -177,10 +227,33 @@ bool ends_with(const std::string& name, const std::string& ending) {
          (name.size() > ending.size() && name.ends_with(ending) && name[name.size() - ending.size() - 1] == '.');
 }
 
-/// "TB1" of "bearings.TB1.peak_contact_force".
-std::string bearing_of(const std::string& name) {
-  if (!name.starts_with("bearings.")) return "";
-  return name.substr(9, name.find('.', 9) - 9);
+/// "TB1" of "bearings.TB1.peak_contact_force", "P" of "probes.P.clearance".
+std::string place_of(const std::string& name) {
+  for (const std::string_view list : {"bearings.", "probes."})
+    if (name.starts_with(list)) return name.substr(list.size(), name.find('.', list.size()) - list.size());
+  return "";
+}
+
+/// "temperature rise (bore, highest mean)" of "bearings.TB1.fe.surface_rise.bore.highest_mean".
+ResultMeaning group_meaning(const std::string& name) {
+  for (const auto& group : groups) {
+    const std::string_view part = group.ending;
+    const auto at = name.find(part);
+    if (at == std::string::npos) continue;
+    if (part == ".surface_rise." && name.ends_with("_time")) return {};  // an instant, not a rise
+    if (at + part.size() == name.size()) return {group.unit, group.long_name};
+    std::string what = group.long_name + std::string(" (");
+    for (const char c : name.substr(at + part.size())) {
+      if (c == '.')
+        what += ", ";
+      else if (c == '_')
+        what += ' ';
+      else if (c != '[' && c != ']')
+        what += c;
+    }
+    return {group.unit, what + ")"};
+  }
+  return {};
 }
 
 ResultMeaning range_meaning(const std::string& name) {
@@ -206,22 +279,22 @@ ResultMeaning range_meaning(const std::string& name) {
 }
 
 ResultMeaning plain_meaning(const std::string& name) {
+  // Names of bodies may be like those of results.
+  if (auto of_group = group_meaning(name); !of_group.unit.empty()) return of_group;
   for (const auto& rule : rules)
     if (ends_with(name, rule.ending)) return {rule.unit, rule.long_name};
   if (const auto range = range_meaning(name); !range.unit.empty()) return range;
   const auto dot = name.rfind('.');
   const std::string last = dot == std::string::npos ? name : name.substr(dot + 1);
-  if (name.find("temperature_rise_end.") != std::string::npos)
-    return {"K", "temperature rise of " + last + " at the end"};
+  if (last.ends_with("_time")) {
+    const auto what = plain_meaning(name.substr(0, name.size() - 5));
+    return {"s", what.long_name.empty() ? "" : "instant of: " + what.long_name};
+  }
   if (name.starts_with("energy.")) {
     std::string words = last;
     for (char& c : words)
       if (c == '_') c = ' ';
     return {"J", "energy: " + words};
-  }
-  if (last.ends_with("_time")) {
-    const auto what = plain_meaning(name.substr(0, name.size() - 5));
-    return {"s", what.long_name.empty() ? "" : "instant of: " + what.long_name};
   }
   return {};
 }
@@ -230,8 +303,7 @@ ResultMeaning plain_meaning(const std::string& name) {
 
 ResultMeaning meaning_of(const std::string& name) {
   ResultMeaning meaning = plain_meaning(without_indices(name));
-  if (const auto bearing = bearing_of(name); !bearing.empty() && !meaning.long_name.empty()) {
-    std::string where = bearing;
+  if (std::string where = place_of(name); !where.empty() && !meaning.long_name.empty()) {
     if (const auto rows = name.find(".rows["); rows != std::string::npos)
       where += ", row " + std::to_string(std::stoi(name.substr(rows + 6)) + 1);
     meaning.long_name = where + ": " + meaning.long_name;

@@ -14,7 +14,9 @@ import numpy
 
 sys.path.insert(0, __file__.rpartition("/")[0])
 from browser import BROWSER, DRIVER, Browser  # noqa: E402
-from program import SOURCE, ProgramTest, start  # noqa: E402
+from program import BUILD, SOURCE, ProgramTest, start  # noqa: E402
+
+HAS_ELEMENTS = (BUILD / "rotordrop_fe.so").is_file()
 
 STUDY = """
 case = "drop.toml"
@@ -446,6 +448,29 @@ evaluations = 12
 searches = 2
 tolerance = 0.05
 """
+
+
+@unittest.skipUnless(HAS_ELEMENTS, "the program has no finite-element room")
+class UnitsOfElements(ProgramTest):
+    def test_every_number_of_a_drop_with_finite_elements_has_a_unit(self):
+        for coupling, group in (("reduced", ".fe.modes"), ("windowed", "windows.largest_growth_error")):
+            self.write("drop.toml", f"""
+base = "reference.toml"
+run.end_time = "9 ms"
+thermal.models = ["lumped", "fe"]
+thermal.driver = "fe"
+thermal.expansion = "elastic"
+thermal.growth_by_speed = "closed-form"
+thermal.fe.section = "plain"
+thermal.fe.coupling = "{coupling}"
+""")
+            self.write("study.toml", 'case = "drop.toml"\n[vary]\n"contact.friction_coefficient" = [0.1, 0.2]\n[design]\nkind = "list"\n')
+            self.succeed("study", "study.toml", "-o", coupling)
+            with h5py.File(self.folder / coupling / "study.h5") as file:
+                results = {name: dict(values.attrs) for name, values in file["results"].items()}
+            self.assertTrue(any(name.endswith(group) for name in results), group)
+            nameless = [name for name, told in results.items() if not told.get("units") or not told.get("long_name")]
+            self.assertEqual(nameless, [])
 
 
 class Searches(ProgramTest):

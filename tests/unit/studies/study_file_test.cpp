@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <set>
+
 #include "study/result_names.h"
 #include "study_inputs.h"
 
@@ -28,6 +30,40 @@ std::string fault_of(const std::string& text) {
 const std::string friction = "[vary]\n\"contact.friction_coefficient\" = [0.1, 0.2]\n[design]\nkind = \"grid\"\n";
 
 }  // namespace
+
+void expect_meanings(const std::vector<std::string>& names) {
+  for (const auto& name : names) {
+    EXPECT_NE(meaning_of(name).unit, "") << name;
+    EXPECT_NE(meaning_of(name).long_name, "") << name;
+  }
+}
+
+const std::string everything = "base = \"" ROTORDROP_SOURCE_DIR
+                               "/params/neisi2019-settling.toml\"\n"
+                               R"(
+run.end_time = "20 ms"
+[rotor]
+axial_motion = "free"
+axial_force = "1500 N"
+windage = { law = "geometry" }
+[rotor.probes]
+P = { node = 6, clearance = "0.2 mm", contact = { stiffness = "1e8 N/m" } }
+Q = { node = 10, clearance = "0.2 mm" }
+[bearings]
+ring_motion = "free"
+[bearings.TB1]
+C = "39.7 kN"
+cage = "free"
+support.stop = { gap = "0.1 mm", stiffness = "1e9 N/m" }
+[bearings.TB2.shoulders]
+gap_minus_x = "0.3 mm"
+[bearings.M]
+type = "magnet"
+node = 6
+stiffness = [["1e7 N/m", 0], [0, "1e7 N/m"]]
+damping = [["5e3 N s/m", 0], [0, "5e3 N s/m"]]
+release_time = ["2 ms", "2 ms"]
+)";
 
 TEST(StudyFile, TakesUnitsAsACaseDoes) {
   const test::StudyFolder folder;
@@ -113,6 +149,14 @@ TEST(ResultNames, HaveUnitsAndMeanings) {
   EXPECT_EQ(meaning_of("bearings.TB2.growth.bore.largest_time").unit, "s");
   EXPECT_EQ(meaning_of("bearings.TB2.growth.bore.largest").unit, "m");
   EXPECT_EQ(meaning_of("energy.residual").unit, "J");
+  EXPECT_EQ(meaning_of("probes.P.smallest_clearance").long_name,
+            "P: smallest clearance left at the probe, negative beyond it");
+  EXPECT_EQ(meaning_of("probes.P.contact.damping").unit, "J");
+  EXPECT_EQ(meaning_of("bearings.TB2.shoulder.stiffness").unit, "N/m");
+  EXPECT_EQ(meaning_of("bearings.TB2.shoulder.sides[0].force_by_energy.stiffness").unit, "N");
+  EXPECT_EQ(meaning_of("bearings.TB2.fe.surface_rise.bore.highest_mean").unit, "K");
+  EXPECT_EQ(meaning_of("bearings.TB2.fe.surface_rise.bore.highest_time").unit, "s");
+  EXPECT_EQ(meaning_of("bearings.TB2.temperature_rise_end.clearance").unit, "K") << "a node of a case's own";
 }
 
 TEST(ResultNames, CoverEveryNumberOfADropsSummary) {
@@ -120,8 +164,21 @@ TEST(ResultNames, CoverEveryNumberOfADropsSummary) {
   Study study = folder.read(friction);
   const auto probed = probe_results(study, make_design(study), evaluate_point);
   EXPECT_GT(probed.names.size(), 200U);
-  for (const auto& name : probed.names) {
-    EXPECT_NE(meaning_of(name).unit, "") << name;
-    EXPECT_NE(meaning_of(name).long_name, "") << name;
-  }
+  expect_meanings(probed.names);
+}
+
+// Whatever adds numbers to a summary: shoulders, probes with and without contact, a magnet, a support of its own, windage, ratings, a free cage.
+TEST(ResultNames, CoverEveryNumberOfADropWithEverything) {
+  const test::StudyFolder folder;
+  std::ofstream(folder.path() / "everything.toml") << everything;
+  std::ofstream(folder.path() / "study.toml") << "case = \"everything.toml\"\n" << friction;
+  Study study = read_study(folder.path() / "study.toml");
+  const auto probed = probe_results(study, make_design(study), evaluate_point);
+  const std::set<std::string> names(probed.names.begin(), probed.names.end());
+  for (const char* part :
+       {"probes.P.contact.damping", "probes.Q.smallest_clearance", "bearings.TB2.shoulder.sides[0].gap",
+        "bearings.TB2.axial.shoulder_force.smallest", "bearings.TB1.support.meets_stop", "energy.windage",
+        "bearings.TB1.damage.fatigue.share", "bearings.TB1.spin_up"})
+    EXPECT_TRUE(names.contains(part)) << part;
+  expect_meanings(probed.names);
 }
