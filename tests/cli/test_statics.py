@@ -133,6 +133,17 @@ class Statics(ProgramTest):
         for word in ("TB1 (node 2)", "TB2 (node 28)", "remaining preload", "stiffness: axial", "s0", "Residual"):
             self.assertIn(word, text)
 
+    def test_weight_along_the_axis_is_said_to_be_left_out(self):
+        upright = ("--set", "run.gravity=[-9.81, 0, 0]")
+        shaft = json.loads(self.succeed("statics", "reference.toml", "--json", *upright).stdout)["shaft"]
+        self.assertEqual(shaft["weight"], 0)
+        self.assertAlmostEqual(shaft["axial_weight"], -9.81 * 109.7, delta=0.3, msg="N")
+        self.assertRegex(shaft["note"], r"gravity's part along the axis, 1076\.\d+ N towards -x, is left out")
+        self.assertIn("note: " + shaft["note"] + "\n", self.succeed("statics", "reference.toml", *upright).stdout)
+        lying = json.loads(self.succeed("statics", "reference.toml", "--json").stdout)["shaft"]
+        self.assertEqual(lying["axial_weight"], 0)
+        self.assertNotIn("note", lying)
+
     def test_faulty_requests_are_refused(self):
         self.assertRegex(self.refuse("--bearing", "TB3"), r'no touchdown bearing "TB3".*\n.*Did you mean')
         self.assertIn('statics.subject = "bearings"', self.refuse("--set", "statics.force=[1, 2, 3]"))

@@ -138,7 +138,14 @@ Json shaft_json(const Case& c) {
   const auto result = find_equilibrium(system, x);
   require_found(result, "the rotor on its supports");
   const auto report = system.report(x);
-  Json j = {{"weight", report.weight}, {"sag", report.sag}, {"sag_position", report.sag_x}};
+  const auto& p = c.parameters;
+  const double axial = rigid_body(p.rotor.geometry).mass * p.run.gravity[0];
+  Json j = {{"weight", report.weight}, {"axial_weight", axial}, {"sag", report.sag}, {"sag_position", report.sag_x}};
+  if (axial != 0.)
+    j["note"] = fmt::format(
+        "gravity's part along the axis, {:.6g} N towards {}, is left out: the shaft takes no axial load here. "
+        "statics.subject = \"bearings\" loads them by statics.force, also along x",
+        std::fabs(axial), axial > 0. ? "+x" : "-x");
   j["supports"] = Json::object();
   for (const auto& s : report.supports) {
     Json one = {{"node", s.node},
@@ -265,6 +272,7 @@ std::string statics_text(const Json& report) {
     const auto& s = report["shaft"];
     text += fmt::format("Rotor at rest, weight {:.6g} N; static sag {:.4g} um at x = {:.4g} m\n",
                         s["weight"].get<double>(), s["sag"].get<double>() * 1e6, s["sag_position"].get<double>());
+    if (s.contains("note")) text += "note: " + s["note"].get<std::string>() + "\n";
     for (const auto& [name, one] : s["supports"].items()) {
       text += fmt::format("{} (node {}): carries y {:.6g}, z {:.6g} N; journal at y {:.4g}, z {:.4g} um\n", name,
                           one["node"].get<int>(), one["force_on_rotor"]["y"].get<double>(),
