@@ -3,7 +3,7 @@
 
     python3 examples/read_results.py DIR      # all at once; pictures into DIR/figures/tour
 
-DIR is a directory of `rotordrop run` with two touchdown bearings, such as out/neisi2019-settling.
+DIR is a directory of `rotordrop run`, such as out/neisi2019-settling. Supports that are no touchdown bearings (springs, magnets) are passed over.
 """
 
 # %% Open a run
@@ -29,8 +29,12 @@ pictures = run.directory / "figures" / "tour"
 pictures.mkdir(parents=True, exist_ok=True)
 print(f"{run.attributes['case']} by {run.attributes['program']}: {len(run.paths)} series, supports {', '.join(run.bearings)}")
 
+touchdown = [name for name in run.bearings if "contact_force" in run.bearing(name)]
+if not touchdown:
+    sys.exit(f"error: {directory} has no touchdown bearing")
+
 # %% One series: values, unit, meaning
-name = run.bearings[0]
+name = touchdown[0]
 force = run.bearing(name)["contact_force"]
 print(f"{force.path}: {force.meaning} [{force.unit}], {len(force.values)} samples to {force.time[-1]:.4g} s, largest {force.values.max():.1f} {force.unit}")
 
@@ -46,8 +50,8 @@ if inside.any():
           f"impulse {force.between(start, end).integral():.3g} N s, heat {heat.at(end) - heat.at(start):.3g} J")
 
 # %% Orbits of the rotor in its bearings
-figure, axes = plt.subplots(1, len(run.bearings), figsize=(5 * len(run.bearings), 5), squeeze=False)
-for axis, name in zip(axes[0], run.bearings):
+figure, axes = plt.subplots(1, len(touchdown), figsize=(5 * len(touchdown), 5), squeeze=False)
+for axis, name in zip(axes[0], touchdown):
     orbit = run.bearing(name)["orbit"]
     axis.plot(1e6 * orbit.column("z").values, 1e6 * orbit.column("y").values, linewidth=0.6)
     axis.set(title=name, xlabel="z [um]", ylabel="y (up) [um]", aspect="equal")
@@ -58,16 +62,15 @@ figure, axis = plt.subplots(figsize=(7, 4))
 to_rpm = 30 / np.pi
 rotor = run.series("/rotor/spin_speed")
 axis.plot(1e3 * rotor.time, to_rpm * rotor.values, "k--", label="rotor")
-for name in run.bearings:
-    if "ring_speed" in run.bearing(name):
-        ring = run.bearing(name)["ring_speed"]
-        axis.plot(1e3 * ring.time, to_rpm * ring.values, label=f"ring of {name}")
+for name in touchdown:
+    ring = run.bearing(name)["ring_speed"]
+    axis.plot(1e3 * ring.time, to_rpm * ring.values, label=f"ring of {name}")
 axis.set(xlabel="time [ms]", ylabel="spin speed [rpm]")
 axis.legend()
 figure.savefig(pictures / "speeds.png", dpi=110)
 
 # %% Temperatures at the end, of every model that ran
-for name in run.bearings:
+for name in touchdown:
     for model in ("lumped", "fe"):
         try:
             nodes = run.temperatures(name, model)
@@ -82,7 +85,7 @@ dissipated, residual = run.series("/energy/dissipated"), run.series("/energy/res
 print(f"energy: {dissipated.values[-1]:.2f} J dissipated, residual at most {abs(residual.values).max():.1e} J")
 
 # %% Temperature fields, if the run has some
-for name in run.bearings:
+for name in touchdown:
     for time, file in run.fields(name):
         rise = read_vtu(file)["data"][RISE]
         print(f"{name} at {1e3 * time:.2f} ms: rise {rise.min():.2f} to {rise.max():.2f} K")

@@ -149,6 +149,15 @@ class Reader(ProgramTest):
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertTrue((self.folder / "out/orbits.png").is_file())
 
+    def test_the_tour_passes_over_supports_that_are_no_touchdown_bearings(self):
+        magnet = 'bearings.A_magnet = { type = "magnet", node = 6, stiffness = [["1e7 N/m", 0], [0, "1e7 N/m"]], release_time = ["1 ms", "1 ms"] }\n'
+        self.write("held.toml", 'base = "reference.toml"\nrun.end_time = "12 ms"\n' + magnet)
+        self.succeed("run", "held.toml", "-o", "held", "--quiet")
+        done = subprocess.run([sys.executable, TOUR, self.folder / "held"], capture_output=True, text=True)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("A_magnet", done.stdout)
+        self.assertRegex(done.stdout, r"first impact of TB1: \d+\.\d+ to")
+
     def test_the_tour_says_what_is_missing(self):
         done = subprocess.run([sys.executable, TOUR, self.folder / "nothing"], capture_output=True, text=True)
         self.assertNotEqual(done.returncode, 0)
