@@ -182,10 +182,18 @@ constexpr std::array groups{
 constexpr double hertz = 0.5 / std::numbers::pi;
 
 constexpr std::array shown{
-    ShownResult{"/first_contact_time", "first contact", "ms", 1e3},
-    ShownResult{"/peak_contact_force", "peak contact force (0-peak)", "kN", 1e-3},
-    ShownResult{"/peak_contact_force_time", "time of peak contact force", "ms", 1e3},
-    ShownResult{"/mean_contact_force_end", "mean contact force, last 50 ms", "N", 1.},
+    ShownResult{"/first_contact_time", "first contact in the bore", "ms", 1e3},
+    ShownResult{"/axial/first_shoulder_contact_time", "first contact on a shoulder", "ms", 1e3},
+    ShownResult{"/peak_contact_force", "peak contact force in the bore (0-peak)", "kN", 1e-3},
+    ShownResult{"/peak_contact_force_time", "time of peak contact force in the bore", "ms", 1e3},
+    ShownResult{"/mean_contact_force_end", "mean contact force in the bore, last 50 ms", "N", 1.},
+    ShownResult{"/axial/shoulder_force/largest", "largest shoulder force towards +x", "kN", 1e-3},
+    ShownResult{"/axial/shoulder_force/smallest", "largest shoulder force towards -x (negative)", "kN", 1e-3},
+    ShownResult{"/axial/force/largest", "largest axial force of the rotor on the ring, towards +x", "kN", 1e-3},
+    ShownResult{"/axial/force/smallest", "largest axial force of the rotor on the ring, towards -x (negative)", "kN",
+                1e-3},
+    ShownResult{"/axial/rotor_position/largest", "largest axial position of the rotor", "um", 1e6},
+    ShownResult{"/axial/rotor_position/smallest", "smallest axial position of the rotor", "um", 1e6},
     ShownResult{"/largest_ball_force", "largest ball load", "N", 1.},
     ShownResult{"/first_bounce_apex", "apex of first bounce (y)", "um", 1e6},
     ShownResult{"/peak_friction_heat_rate", "peak rub heat rate", "kW", 1e-3},

@@ -59,6 +59,30 @@ class Shoulders(ProgramTest):
             self.assertIn(word, checks[name]["text"])
         self.assertEqual(checks["TB1: wear"]["state"], "ok")
 
+    def test_the_report_shows_what_happens_along_the_axis(self):
+        summary = self.drop("out")["bearings"]["TB2"]["axial"]
+        self.succeed("report", "out")
+        data = page_data((self.folder / "out/report.html").read_text())
+        charts = {chart["id"]: {line["name"]: line["y"] for line in chart["lines"]} for chart in data["charts"]}
+        self.assertEqual(list(charts["axial-force"]), ["TB1", "TB2", "TB2 shoulders"])
+        self.assertEqual(set(charts["axial-position"]), {f"{name} {part}" for name in ("TB1", "TB2") for part in ("rotor", "ring")})
+        with h5py.File(self.folder / "out/results.h5") as file:
+            pair = file["bearings/TB2"]
+            self.assertAlmostEqual(min(charts["axial-force"]["TB2 shoulders"]), 1e-3 * pair["shoulder_force"][:].min(), delta=1e-3, msg="kN")
+            self.assertAlmostEqual(min(charts["axial-position"]["TB2 rotor"]), 1e6 * pair["axial_position"][:, 0].min(), delta=0.1, msg="um")
+        rows = {row["name"]: (row["unit"], row["values"][data["numbers"]["bearings"].index("TB2")]) for row in data["numbers"]["rows"]}
+        for name, unit, value in (("largest shoulder force towards -x (negative)", "kN", 1e-3 * summary["shoulder_force"]["smallest"]),
+                                  ("largest axial force of the rotor on the ring, towards -x (negative)", "kN", 1e-3 * summary["force"]["smallest"]),
+                                  ("first contact on a shoulder", "ms", 1e3 * summary["first_shoulder_contact_time"]),
+                                  ("smallest axial position of the rotor", "um", 1e6 * summary["rotor_position"]["smallest"]), ("peak contact force in the bore (0-peak)", "kN", 0)):
+            self.assertEqual(rows[name][0], unit)
+            self.assertAlmostEqual(float(rows[name][1]), value, delta=1e-3 * abs(value), msg=name)
+        (check,) = [check for check in data["checks"] if check["name"] == "TB2: static load rating"]
+        self.assertEqual(check["state"], "unknown", "C0 is a radial rating")
+        self.assertRegex(check["text"], r"the axial load of up to [\d.]+ kN is larger than the radial one")
+        self.assertTrue(any("shoulders of the rotor: 300 µm from the ring's face at -x, 300 µm from the ring's face at +x" in word for word in data["words"]))
+        self.assertTrue(any("not local temperatures and wear" in text for text in data["assumptions"]))
+
     def test_run_and_study_agree_on_a_landing(self):
         limit = '"bearings.TB2.axial.force.smallest" = { min = "-10 N" }'
         one = self.drop("out", "[limits]", limit)

@@ -145,6 +145,14 @@ class Charts {
   std::size_t n_buckets_ = 500;
 };
 
+bool has_shoulders(const RecordedDrop& drop, const std::string& name) {
+  const auto bearings = drop.bearings();
+  return std::any_of(bearings.begin(), bearings.end(), [&](const auto& bearing) {
+    const auto& shoulders = bearing.second.shoulders;
+    return bearing.first == name && (shoulders.gap_minus_x || shoulders.gap_plus_x);
+  });
+}
+
 void add_motion(Charts& c, const RecordedDrop& drop) {
   const std::string instantaneous =
       "Instantaneous displacement from the axis of the unloaded bearing. Peaks are 0-peak; top to bottom is "
@@ -157,6 +165,10 @@ void add_motion(Charts& c, const RecordedDrop& drop) {
   c.of_supports("ring_position", "ring y", 1e6, 0, 0);
   c.of_supports("ring_position", "ring z", 1e6, 1, 1);
   c.of_supports("support_position", "support y", 1e6, 2, 0);
+  c.figure("axial-position", "Motion", "Axial position of rotor and inner ring", "x", "um",
+           "Of the rotor as a rigid body, and of each ring from its mounted position.");
+  c.of_supports("axial_position", "rotor", 1e6, 0, 0);
+  c.of_supports("axial_position", "ring", 1e6, 1, 1);
   c.figure("whirl", "Motion", "Whirl in contact", "whirl frequency", "Hz",
            "Mean over 5 ms of contact; positive from +y towards +z. Lines bridge phases without contact.");
   for (std::size_t i = 0; i < c.names().size(); ++i) {
@@ -201,13 +213,19 @@ void add_support_loop(Charts& c, const RecordedDrop& drop, const std::string& na
 }
 
 void add_forces(Charts& c, const RecordedDrop& drop) {
-  c.figure("contact-force", "Forces", "Normal force between rotor and inner ring", "contact force", "kN",
+  c.figure("contact-force", "Forces", "Normal force between rotor and bore", "contact force", "kN",
            "Instantaneous samples; peaks are 0-peak. The peaks in the table of main numbers are taken at every "
            "integration step.");
   c.of_supports("contact_force", "", 1e-3);
   c.figure("friction-force", "Forces", "Friction force on the inner ring", "friction force", "kN",
            "Positive about +x, the direction of positive spin.");
   c.of_supports("friction_force", "", 1e-3);
+  c.figure("axial-force", "Forces", "Axial force of the rotor on the inner ring", "axial force", "kN",
+           "Positive along +x. Shoulders and friction in the bore together, and the shoulders' part.");
+  c.of_supports("axial_force", "", 1e-3);
+  for (std::size_t i = 0; i < c.names().size(); ++i)
+    if (has_shoulders(drop, c.names()[i]))
+      c.recorded("/bearings/" + c.names()[i] + "/shoulder_force", c.names()[i] + " shoulders", 1e-3, {i, 1});
   c.figure("bearing-force", "Forces", "Resultant of the ball forces on the inner ring", "force", "kN");
   c.of_supports("bearing_force", "y", 1e-3, 0, 0);
   c.of_supports("bearing_force", "z", 1e-3, 1, 1);

@@ -66,11 +66,22 @@ void check_load(Checks& checks, const RecordedDrop& drop, const std::string& nam
     const TimeSeries y = drop.series(force, 0), z = drop.series(force, 1);
     double largest = 0.;
     for (std::size_t k = 0; k < y.values.size(); ++k) largest = std::max(largest, std::hypot(y.values[k], z.values[k]));
-    checks.add(name + ": static load rating", largest < b.C0,
-               fmt::format(
-                   "largest radial load {:.4g} kN, C0 = {:.4g} kN; their ratio is {:.3g}. static_safety is that of the "
-                   "worst ball, whose load the row does not share evenly",
-                   largest * 1e-3, b.C0 * 1e-3, b.C0 / largest));
+    const std::string path = "/bearings/" + name + "/axial_force", title = name + ": static load rating";
+    const auto magnitudes = drop.has(path) ? drop.series(path).values : std::vector<double>{};
+    double axial = 0.;
+    for (const double value : magnitudes) axial = std::max(axial, std::fabs(value));
+    if (axial > largest && largest < b.C0)
+      checks.unknown(title, fmt::format("not assessed: C0 = {:.4g} kN is a radial rating, and the axial load of up to "
+                                        "{:.4g} kN is larger than the radial one of up to {:.4g} kN. static_safety, "
+                                        "that of the worst ball, has both",
+                                        b.C0 * 1e-3, axial * 1e-3, largest * 1e-3));
+    else
+      checks.add(title, largest < b.C0,
+                 fmt::format(
+                     "largest radial load {:.4g} kN, C0 = {:.4g} kN; their ratio is {:.3g}.{} static_safety is that of "
+                     "the worst ball, whose load the row does not share evenly",
+                     largest * 1e-3, b.C0 * 1e-3, b.C0 / largest,
+                     axial > 0. ? fmt::format(" The axial load, up to {:.4g} kN, is not in it.", axial * 1e-3) : ""));
   }
   double pressure = 0.;
   for (const auto& path : pressure_paths) pressure = std::max(pressure, largest_of(drop.series(path)).value);

@@ -44,6 +44,12 @@ struct Place {
 };
 constexpr Place of_bearings[] = {{"peak_contact_force", "contact-force", 1e-3},
                                  {"mean_contact_force_end", "contact-force", 1e-3},
+                                 {"axial.force.largest", "axial-force", 1e-3},
+                                 {"axial.force.smallest", "axial-force", 1e-3},
+                                 {"axial.shoulder_force.largest", "axial-force", 1e-3},
+                                 {"axial.shoulder_force.smallest", "axial-force", 1e-3},
+                                 {"axial.rotor_position.largest", "axial-position", 1e6},
+                                 {"axial.rotor_position.smallest", "axial-position", 1e6},
                                  {"largest_ball_force", "ball-loads", 1.},
                                  {"largest_contact_pressure", "pressures", 1e-9},
                                  {"peak_friction_heat_rate", "rub-heat", 1e-3},

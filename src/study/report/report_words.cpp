@@ -29,15 +29,25 @@ std::string words_of_models(const ThermalParameters& thermal) {
   return fmt::format("{}", fmt::join(titles, " and "));
 }
 
+/// "; shoulders of the rotor: 300 µm from the ring's face at -x, ...": empty without any.
+std::string shoulder_words(const ShoulderParameters& shoulders) {
+  std::string text;
+  for (const auto& [face, gap] : {std::pair{"-x", shoulders.gap_minus_x}, std::pair{"+x", shoulders.gap_plus_x}})
+    if (gap)
+      text += fmt::format("{}{:.4g} µm from the ring's face at {}", text.empty() ? "; shoulders of the rotor: " : ", ",
+                          *gap * 1e6, face);
+  return text;
+}
+
 std::string bearing_words(const std::string& name, const TouchdownParameters& b, const ContactParameters& contact) {
   return fmt::format(
       "{} is a touchdown bearing at the rotor's node {}: {} row{} of {} {} balls of {:.4g} mm on a pitch diameter of "
-      "{:.4g} mm, contact angle {:.3g}°, {}; radial air gap {:.4g} µm.",
+      "{:.4g} mm, contact angle {:.3g}°, {}; radial air gap {:.4g} µm{}.",
       name, b.node, b.rows, b.rows == 1 ? "" : "s", b.balls_per_row, b.ball, b.ball_diameter * 1e3,
       b.pitch_diameter * 1e3, b.contact_angle * 180. / std::numbers::pi,
       b.preload > 0. ? fmt::format("preload {:.4g} N", b.preload)
                      : fmt::format("radial clearance {:.3g} µm", b.radial_clearance * 1e6),
-      air_gap(b, contact) * 1e6);
+      air_gap(b, contact) * 1e6, shoulder_words(b.shoulders));
 }
 
 }  // namespace
@@ -101,6 +111,14 @@ Json report_assumptions(const RecordedDrop& drop) {
       fmt::format("Contact between rotor and inner ring follows a Hunt-Crossley law with exponent {:.4g} (never "
                   "tensile); friction follows Coulomb's law, smoothed below {:.3g} m/s.",
                   p.contact.exponent, p.contact.regularisation_speed));
+  for (const auto& [name, b] : drop.bearings())
+    if (b.shoulders.gap_minus_x || b.shoulders.gap_plus_x) {
+      list.push_back(
+          "Shoulders of the rotor meet the faces of inner rings as linear springs with damping and the friction of the "
+          "bore. Of what they rub only force and heat are computed, not local temperatures and wear. Contact forces, "
+          "local temperatures, wear and whirl on this page are of the bores, unless they name the shoulders.");
+      break;
+    }
   for (const auto& [name, b] : drop.bearings())
     list.push_back(fmt::format("{}: the inner ring {}; the outer ring moves radially with its support.", name,
                                b.ring_motion == RingMotion::free ? "moves radially and along its axis, tilts and spins"
