@@ -92,7 +92,7 @@ void check_geometry(const TouchdownParameters& b, const Node& table, const std::
           "ring_motion = \"free\" with rows whose contact angles all point the same way: their balls push the ring off "
           "axially and nothing holds it",
           "Take two rows in X or O, a contact_angle of 0, or ring_motion = \"translations\".");
-  if (b.ring_motion != RingMotion::free && (b.shoulders.gap_minus_x || b.shoulders.gap_plus_x))
+  if (b.ring_motion != RingMotion::free && b.shoulders.any())
     fault("shoulders", "shoulders beside a ring that cannot move along the axis", "Set ring_motion = \"free\".");
   // The ring's mass at half the pitch radius spins with a quarter of a hoop's inertia; balls and cage add less than the ring has.
   const double hoop = 0.25 * b.ring_mass * b.pitch_diameter * b.pitch_diameter;

@@ -36,6 +36,8 @@ struct ShoulderParameters {
   std::optional<double> gap_minus_x, gap_plus_x;  ///< at the ring's face at -x, +x [m]
   std::optional<double> radius;
   std::optional<double> stiffness;  ///< none: from the bodies' geometry
+
+  [[nodiscard]] bool any() const { return gap_minus_x || gap_plus_x; }
 };
 
 enum class RowArrangement { face_to_face, back_to_back, tandem };

@@ -327,10 +327,7 @@ Node with_base(Node tree, const fs::path& file, const fs::path& folder, LayerNot
   }
   if (!base->is_text())
     throw InputError(base->where(), fmt::format("base is {}; it must be the name of a file.", kind_name(*base)));
-  // Else it may be one of those that come with the program.
-  std::error_code ignored;
-  const fs::path beside = resolve_path(*base, folder);
-  const Node under = read_toml(fs::exists(beside, ignored) ? beside : fs::path(base->text()), complete);
+  const Node under = read_toml(resolve_path(*base, folder), complete);
   tree.erase("base");
   complete(tree, file, under);
   return merged(under, tree);

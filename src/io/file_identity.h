@@ -1,4 +1,5 @@
 #pragma once
+#include <compare>
 #include <cstdint>
 #include <filesystem>
 #include <optional>
@@ -9,10 +10,10 @@ namespace rotordrop {
 struct FileIdentity {
   std::uint64_t device = 0, number = 0;
   std::int64_t born_seconds = 0, born_nanoseconds = 0;
-  bool operator==(const FileIdentity&) const = default;
+  auto operator<=>(const FileIdentity&) const = default;
 };
 
-/// Nothing where there is no file.
+/// Nothing where there is no regular file.
 std::optional<FileIdentity> identity_of(const std::filesystem::path& file);
 
 }  // namespace rotordrop

@@ -122,7 +122,6 @@ void check_axial_motion(const MachineParameters& p, const Node& case_node, Fault
   for (const auto& entry : p.bearings) {
     const auto* b = entry.touchdown();
     if (!b) continue;
-    const bool has_shoulder = b->shoulders.gap_minus_x || b->shoulders.gap_plus_x;
     stops_plus |= b->shoulders.gap_minus_x.has_value();
     stops_minus |= b->shoulders.gap_plus_x.has_value();
     const Node* own = table_of(case_node, "bearings").find(entry.name);
@@ -132,7 +131,7 @@ void check_axial_motion(const MachineParameters& p, const Node& case_node, Fault
           fmt::format("rotor.axial_motion = \"free\", but the inner ring of {} cannot move axially with the rotor.",
                       entry.name),
           fmt::format("Set bearings.{}.ring_motion = \"free\".", entry.name));
-    if (!is_free && has_shoulder)
+    if (!is_free && b->shoulders.any())
       faults.add(position_of(own ? *own : table_of(case_node, "bearings"), "shoulders"),
                  fmt::format("bearings.{}.shoulders stop a rotor that cannot move along its axis.", entry.name),
                  "Set rotor.axial_motion = \"free\".");

@@ -66,11 +66,14 @@ void RecordedDrop::open() {
   is_windowed_ = has("/windows/time");
 }
 
-void RecordedDrop::require_same_file() const {
+template <class Read>
+auto RecordedDrop::from_same_file(const Read& read, const std::string& dataset) const {
+  auto found = read(file_, dataset);
   if (identity_of(file_) != identity_)
     throw InputError({file_.string(), 0, 0}, "this file is another one than when its drop was opened.",
                      "A later run has replaced it, or it was removed. Read the results again, or give each run a "
                      "directory of its own.");
+  return found;
 }
 
 std::string RecordedDrop::driver() const { return driver_of(parameters_.thermal); }
@@ -101,9 +104,7 @@ std::vector<const ThermalKind*> RecordedDrop::models() const {
 
 std::optional<std::string> RecordedDrop::text(const std::string& dataset) const {
   if (!std::binary_search(texts_.begin(), texts_.end(), dataset)) return {};
-  auto text = read_text(file_, dataset);
-  require_same_file();
-  return text;
+  return from_same_file(read_text, dataset);
 }
 
 std::optional<RecordedDrop::Table> RecordedDrop::table_in_memory(const std::string& dataset) const {
@@ -121,8 +122,7 @@ const RecordedDrop::Table& RecordedDrop::table(const std::string& dataset) const
   const auto found = tables_.find(dataset);
   if (found != tables_.end()) return found->second;
   if (auto in_memory = table_in_memory(dataset)) return tables_[dataset] = std::move(*in_memory);
-  auto [raw, meaning] = read_series_with_meaning(file_, dataset);
-  require_same_file();
+  auto [raw, meaning] = from_same_file(read_series_with_meaning, dataset);
   if (meaning.time_path.empty() && !dataset.ends_with("/time"))
     throw InputError({file_.string(), 0, 0}, dataset + " does not name its times", "Is this a drop's series?");
   const std::size_t n_columns = raw.shape.size() > 1 ? raw.shape[1] : 1;
@@ -131,9 +131,7 @@ const RecordedDrop::Table& RecordedDrop::table(const std::string& dataset) const
 
 SeriesMeaning RecordedDrop::meaning(const std::string& dataset) const {
   if (file_.empty() || tables_.contains(dataset)) return table(dataset).meaning;
-  auto meaning = read_meaning(file_, dataset);
-  require_same_file();
-  return meaning;
+  return from_same_file(read_meaning, dataset);
 }
 
 TimeSeries RecordedDrop::series(const std::string& dataset, std::size_t column) const {

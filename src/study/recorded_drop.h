@@ -66,8 +66,9 @@ class RecordedDrop {
 
  private:
   void open();
-  /// @throws InputError if another file has taken the place of the one that was opened
-  void require_same_file() const;
+  /// What read(file, dataset) gives. @throws InputError if another file has taken the place of the one that was opened
+  template <class Read>
+  auto from_same_file(const Read& read, const std::string& dataset) const;
   [[nodiscard]] std::optional<Table> table_in_memory(const std::string& dataset) const;
   std::filesystem::path directory_, file_;
   std::optional<FileIdentity> identity_;  ///< of the file

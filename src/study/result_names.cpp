@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -242,6 +243,12 @@ std::string place_of(const std::string& name) {
   return "";
 }
 
+/// "heat input" of "heat_input".
+std::string spaced(std::string words) {
+  std::replace(words.begin(), words.end(), '_', ' ');
+  return words;
+}
+
 /// "temperature rise (bore, highest mean)" of "bearings.TB1.fe.surface_rise.bore.highest_mean".
 ResultMeaning group_meaning(const std::string& name) {
   for (const auto& group : groups) {
@@ -251,11 +258,9 @@ ResultMeaning group_meaning(const std::string& name) {
     if (part == ".surface_rise." && name.ends_with("_time")) return {};  // an instant, not a rise
     if (at + part.size() == name.size()) return {group.unit, group.long_name};
     std::string what = group.long_name + std::string(" (");
-    for (const char c : name.substr(at + part.size())) {
+    for (const char c : spaced(name.substr(at + part.size()))) {
       if (c == '.')
         what += ", ";
-      else if (c == '_')
-        what += ' ';
       else if (c != '[' && c != ']')
         what += c;
     }
@@ -299,10 +304,7 @@ ResultMeaning plain_meaning(const std::string& name) {
     return {"s", what.long_name.empty() ? "" : "instant of: " + what.long_name};
   }
   if (name.starts_with("energy.")) {
-    std::string words = last;
-    for (char& c : words)
-      if (c == '_') c = ' ';
-    return {"J", "energy: " + words};
+    return {"J", "energy: " + spaced(last)};
   }
   return {};
 }

@@ -4,6 +4,7 @@ It hangs 0.11 mm low in its thrust magnet, 0.2 mm above the shoulder of TB2, and
 Nothing moves it across its axis but a small unbalance: the bores are not touched.
 """
 
+import math
 import shutil
 import signal
 import sys
@@ -82,6 +83,19 @@ class Shoulders(ProgramTest):
         self.assertRegex(check["text"], r"the axial load of up to [\d.]+ kN is larger than the radial one")
         self.assertTrue(any("shoulders of the rotor: 300 µm from the ring's face at -x, 300 µm from the ring's face at +x" in word for word in data["words"]))
         self.assertTrue(any("not local temperatures and wear" in text for text in data["assumptions"]))
+
+    def test_a_steady_thrust_reaches_the_shoulder_when_the_closed_form_says(self):
+        # m x'' = -F - m alpha x' from rest: x = -F / (m alpha) (t - (1 - exp(-alpha t)) / alpha), to the gap of 0.3 mm.
+        self.succeed("run", PARAMS / "neisi2019-thrust.toml", "-o", "out", *settings(
+            rotor__axial_force='[["0 ms", "-1 kN"]]', run__gravity="[0, 0, 0]", run__end_time="9 ms", rotor__unbalance="[]", contact__friction_coefficient="0", integration__step="2 us"))
+        summary = self.summary()
+        force, mass, alpha, gap, t = 1e3, summary["rotor"]["mass"], 30.0, 0.3e-3, 8e-3
+        for _ in range(20):  # Newton's method
+            t -= (force / (mass * alpha) * (t - (1 - math.exp(-alpha * t)) / alpha) - gap) / (force / (mass * alpha) * (1 - math.exp(-alpha * t)))
+        bearing = summary["bearings"]["TB2"]
+        self.assertEqual(bearing["first_touch_time"], bearing["axial"]["first_shoulder_contact_time"])
+        late = bearing["first_touch_time"] - t
+        self.assertTrue(-1e-9 < late < 2e-6, f"{late} s; it is the end of a step of at most 2 us")
 
     def test_run_and_study_agree_on_a_landing(self):
         limit = '"bearings.TB2.axial.force.smallest" = { min = "-10 N" }'

@@ -67,7 +67,7 @@ double force_by_energy(const Rows& rows, double direction, double stiffness, dou
 
 std::optional<ShoulderReport> shoulder_report(const MachineParameters& p, const std::string& name) {
   const auto& b = touchdown_of(p, name);
-  if (!b.shoulders.gap_minus_x && !b.shoulders.gap_plus_x) return std::nullopt;
+  if (!b.shoulders.any()) return std::nullopt;
   const auto& material = material_of(p, b.ring);
   const auto compliance = shoulder_compliance(b, {material.E, material.nu});
   ShoulderReport report;

@@ -36,8 +36,7 @@ LocalRubSettings local_rub_settings(const MachineParameters& parameters, const s
   s.is_one_temperature = parameters.thermal.local_share == LocalShare::one_temperature;
   s.bore_wear = parameters.contact.wear_coefficient_bore;
   s.rotor_wear = parameters.contact.wear_coefficient_rotor;
-  if (bearing.shoulders.gap_minus_x || bearing.shoulders.gap_plus_x)
-    s.largest_friction = largest_friction(parameters.contact);
+  if (bearing.shoulders.any()) s.largest_friction = largest_friction(parameters.contact);
   return s;
 }
 

@@ -62,12 +62,7 @@ void add_centrifugal(RowReport& row, const BallRowGeometry& g, const RingSurroun
 /// Axial force of the most pressed row in the mounted place, or of the spring [N].
 double mounted_preload(const RingStatics& ring) {
   double largest = ring.spring() ? ring.spring()->force : 0.;
-  const RingStatics cold(ring.rows(), {});
-  for (std::size_t row = 0; row < ring.rows().size(); ++row) {
-    // All balls of a row are alike there.
-    const BallBalance ball = cold.ball_reaction(row, 0, RingVector::Zero(), 0., 1.).balance;
-    largest = std::max(largest, ring.rows()[row].n_balls * std::fabs(ball.load_i * ball.sin_i));
-  }
+  for (const auto& row : ring.rows()) largest = std::max(largest, mounted_axial_force(row));
   return largest;
 }
 

@@ -12,29 +12,55 @@ struct RingStatics::Plane {
   BallMotion by_place;
 };
 
+namespace {
+
+double along(const RingSurroundings& around, const RowStrains& strains, double GrooveStrain::*part) {
+  return around.inner_strain * strains.inner.*part + around.outer_strain * strains.outer.*part;
+}
+
+BallContacts contacts_of(const BallRowGeometry& g, const RingSurroundings& around) {
+  const RowStrains strains = row_strains(g);
+  return {g.inner.stiffness,
+          g.outer.stiffness,
+          (g.inner_conformity - 0.5) * g.ball_diameter + around.inner_strain * strains.inner.groove,
+          (g.outer_conformity - 0.5) * g.ball_diameter + around.outer_strain * strains.outer.groove,
+          g.ball_mass,
+          g.ball_diameter / g.pitch_diameter,
+          g.pitch_diameter,
+          g.inner_gyroscopic_share};
+}
+
+/// Centre of the inner groove from that of the outer one in the mounted place, of every ball [m].
+Eigen::Vector2d rest_of(const BallRowGeometry& g, const RingSurroundings& around) {
+  const double A = (g.inner_conformity + g.outer_conformity - 1.) * g.ball_diameter;
+  const RowStrains strains = row_strains(g);
+  return {
+      g.direction * (A * std::sin(g.contact_angle) + g.preload_offset) + along(around, strains, &GrooveStrain::axial),
+      A * std::cos(g.contact_angle) - g.radial_clearance + around.radial_growth +
+          g.difference_share * around.row_difference + along(around, strains, &GrooveStrain::radial)};
+}
+
+}  // namespace
+
+double mounted_axial_force(const BallRowGeometry& g) {
+  const RingSurroundings cold;
+  const Eigen::Vector2d B = rest_of(g, cold);
+  const BallBalance ball = ball_balance(contacts_of(g, cold), B[0], B[1], 0., 0., 1.);
+  return g.n_balls * std::fabs(ball.load_i * ball.sin_i);
+}
+
 RingStatics::RingStatics(std::vector<BallRowGeometry> rows, const RingSurroundings& surroundings,
                          std::optional<PreloadSpring> spring)
     : rows_(std::move(rows)), surroundings_(surroundings), spring_(spring) {
   for (const auto& g : rows_) {
-    const auto [inner, outer] = row_strains(g);
-    contacts_.push_back({g.inner.stiffness, g.outer.stiffness,
-                         (g.inner_conformity - 0.5) * g.ball_diameter + surroundings_.inner_strain * inner.groove,
-                         (g.outer_conformity - 0.5) * g.ball_diameter + surroundings_.outer_strain * outer.groove,
-                         g.ball_mass, g.ball_diameter / g.pitch_diameter, g.pitch_diameter, g.inner_gyroscopic_share});
+    contacts_.push_back(contacts_of(g, surroundings_));
     places_.push_back(row_of(g, spring_ && &g == &rows_.back()));
   }
 }
 
 RingStatics::Row RingStatics::row_of(const BallRowGeometry& g, bool is_pressed_by_spring) const {
-  const double A = (g.inner_conformity + g.outer_conformity - 1.) * g.ball_diameter;
-  const auto [inner, outer] = row_strains(g);
-  const auto strained = [this, &inner = inner, &outer = outer](double GrooveStrain::*part) {
-    return surroundings_.inner_strain * inner.*part + surroundings_.outer_strain * outer.*part;
-  };
   Row row;
-  row.rest = {g.direction * (A * std::sin(g.contact_angle) + g.preload_offset) + strained(&GrooveStrain::axial),
-              A * std::cos(g.contact_angle) - g.radial_clearance + surroundings_.radial_growth +
-                  g.difference_share * surroundings_.row_difference + strained(&GrooveStrain::radial)};
+  row.rest = rest_of(g, surroundings_);
   row.arm = 0.5 * g.pitch_diameter + (g.inner_conformity - 0.5) * g.ball_diameter * std::cos(g.contact_angle);
   row.travel = is_pressed_by_spring ? g.direction : 0.;
   for (int ball = 0; ball < g.n_balls; ++ball) {

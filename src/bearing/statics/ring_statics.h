@@ -27,6 +27,9 @@ struct PreloadSpring {
   double stiffness = 0;  ///< [N/m], >= 0; a yielding outer ring is pressed on less
 };
 
+/// Axial force that a row's balls hold in the mounted place, cold and at rest [N].
+double mounted_axial_force(const BallRowGeometry& row);
+
 /// One ball of a ring in its place.
 struct BallInPlace {
   double azimuth = 0;  ///< [rad]

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <iterator>
-#include <sstream>
 #include <string>
 
 #include "case/keys/case_keys.h"
@@ -20,14 +19,12 @@ std::string list_of(const Setting& entry) { return without_spaces(entry.key.subs
 
 /// Whether a setting gives a whole list, by its name or within a table.
 bool gives_list(const Setting& setting, const std::string& list) {
-  const std::string key = without_spaces(setting.key);
-  if (key == list) return true;
-  if (!list.starts_with(key + ".")) return false;
-  const Node* value = &setting.value;
-  std::istringstream rest(list.substr(key.size() + 1));
-  for (std::string part; value && std::getline(rest, part, '.');)
-    value = value->is_table() ? value->find(part) : nullptr;
-  return value != nullptr;
+  if (names_entry(setting)) return false;
+  Node given = Node::table();
+  apply_setting(given, setting);
+  const Node* node = &given;
+  for (const KeyStep& step : steps_of(list, {})) node = node && node->is_table() ? node->find(step.key) : nullptr;
+  return node != nullptr;
 }
 
 }  // namespace

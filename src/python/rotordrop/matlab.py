@@ -48,11 +48,10 @@ class Paths:
         self._fields = collections.defaultdict[str, Fields](Fields, {"": Fields(OWN)})
 
     def put(self, tree: dict[str, typing.Any], path: str, value: typing.Any) -> None:
-        above, _, last = path.rpartition("/")
-        if above:
-            for word in self.words(above):
-                tree = tree.setdefault(word, {})
-        tree[self._fields[above][last]] = value
+        *above, last = self.words(path)
+        for word in above:
+            tree = tree.setdefault(word, {})
+        tree[last] = value
 
     def words(self, path: str) -> list[str]:
         above, _, last = path.rpartition("/")

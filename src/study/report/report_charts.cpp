@@ -147,10 +147,8 @@ class Charts {
 
 bool has_shoulders(const RecordedDrop& drop, const std::string& name) {
   const auto bearings = drop.bearings();
-  return std::any_of(bearings.begin(), bearings.end(), [&](const auto& bearing) {
-    const auto& shoulders = bearing.second.shoulders;
-    return bearing.first == name && (shoulders.gap_minus_x || shoulders.gap_plus_x);
-  });
+  return std::any_of(bearings.begin(), bearings.end(),
+                     [&](const auto& bearing) { return bearing.first == name && bearing.second.shoulders.any(); });
 }
 
 void add_motion(Charts& c, const RecordedDrop& drop) {

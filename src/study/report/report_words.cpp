@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <numbers>
 
@@ -111,14 +112,12 @@ Json report_assumptions(const RecordedDrop& drop) {
       fmt::format("Contact between rotor and inner ring follows a Hunt-Crossley law with exponent {:.4g} (never "
                   "tensile); friction follows Coulomb's law, smoothed below {:.3g} m/s.",
                   p.contact.exponent, p.contact.regularisation_speed));
-  for (const auto& [name, b] : drop.bearings())
-    if (b.shoulders.gap_minus_x || b.shoulders.gap_plus_x) {
-      list.push_back(
-          "Shoulders of the rotor meet the faces of inner rings as linear springs with damping and the friction of the "
-          "bore. Of what they rub only force and heat are computed, not local temperatures and wear. Contact forces, "
-          "local temperatures, wear and whirl on this page are of the bores, unless they name the shoulders.");
-      break;
-    }
+  const auto bearings = drop.bearings();
+  if (std::any_of(bearings.begin(), bearings.end(), [](const auto& bearing) { return bearing.second.shoulders.any(); }))
+    list.push_back(
+        "Shoulders of the rotor meet the faces of inner rings as linear springs with damping and the friction of the "
+        "bore. Of what they rub only force and heat are computed, not local temperatures and wear. Contact forces, "
+        "local temperatures, wear and whirl on this page are of the bores, unless they name the shoulders.");
   for (const auto& [name, b] : drop.bearings())
     list.push_back(fmt::format("{}: the inner ring {}; the outer ring moves radially with its support.", name,
                                b.ring_motion == RingMotion::free ? "moves radially and along its axis, tilts and spins"
