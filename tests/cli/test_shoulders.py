@@ -71,6 +71,8 @@ class Shoulders(ProgramTest):
             pair = file["bearings/TB2"]
             self.assertAlmostEqual(min(charts["axial-force"]["TB2 shoulders"]), 1e-3 * pair["shoulder_force"][:].min(), delta=1e-3, msg="kN")
             self.assertAlmostEqual(min(charts["axial-position"]["TB2 rotor"]), 1e6 * pair["axial_position"][:, 0].min(), delta=0.1, msg="um")
+        names = [row["name"] for row in data["numbers"]["rows"]]
+        self.assertEqual(names[:2], ["first contact in the bore", "first contact on a shoulder"], "rows that one bearing has stand among the others")
         rows = {row["name"]: (row["unit"], row["values"][data["numbers"]["bearings"].index("TB2")]) for row in data["numbers"]["rows"]}
         for name, unit, value in (("largest shoulder force towards -x (negative)", "kN", 1e-3 * summary["shoulder_force"]["smallest"]),
                                   ("largest axial force of the rotor on the ring, towards -x (negative)", "kN", 1e-3 * summary["force"]["smallest"]),

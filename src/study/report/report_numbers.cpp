@@ -15,24 +15,27 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// One row: what, unit, and a text for each bearing.
+/// One row: what, unit, and a text for each bearing. Rows that only some bearings have stand where these set them.
 class Rows {
  public:
   explicit Rows(std::size_t n_columns) : n_columns_(n_columns) {}
   void set(std::size_t column, const std::string& name, const std::string& unit, const std::string& text) {
+    if (column != column_) next_ = 0;
+    column_ = column;
     const auto same = [&](const Json& row) { return row["name"] == name; };
     auto found = std::find_if(rows_.begin(), rows_.end(), same);
     if (found == rows_.end()) {
-      rows_.push_back({{"name", name}, {"unit", unit}, {"values", Json::array()}});
-      for (std::size_t i = 0; i < n_columns_; ++i) rows_.back()["values"].push_back("");
-      found = rows_.end() - 1;
+      const Json row{{"name", name}, {"unit", unit}, {"values", std::vector<std::string>(n_columns_)}};
+      found = rows_.insert(rows_.begin() + next_, row);
     }
+    next_ = found - rows_.begin() + 1;
     (*found)["values"][column] = text;
   }
   [[nodiscard]] Json take() { return std::move(rows_); }
 
  private:
-  std::size_t n_columns_;
+  std::size_t n_columns_, column_ = 0;
+  std::ptrdiff_t next_ = 0;  // behind the row that this column has set last
   Json rows_ = Json::array();
 };
 
