@@ -25,7 +25,7 @@ Expansion = _core.Expansion
 
 HeatInput = _core.HeatInput
 """Heat that a bearing releases [W]: `rub` of rotor and bore, `rub_into_ring` the part of it that enters the ring (the rest enters the rotor), `inner` and `outer` of the balls at
-both races, by row in `rows`; `is_in_contact`; `rotor_surface_speed`, `ring_surface_speed` [m/s]; `balls`, what rolling balls conduct (`inner_to_ball`, `outer_to_ball`, `inner_to_outer` [W/K])."""
+both races; the same by row in `rows` if finite elements run besides and rows may be loaded differently, else empty; `is_in_contact`; `rotor_surface_speed`, `ring_surface_speed` [m/s]; `balls`, what rolling balls conduct (`inner_to_ball`, `outer_to_ball`, `inner_to_outer` [W/K])."""
 
 ThermalBearing = _core.ThermalBearing
 """What a thermal model is told about a touchdown bearing: `name`; materials `ring`, `ball` (`conductivity`, `heat_capacity`, `density`, `expansion`, `poisson_ratio`); dimensions [m];
