@@ -14,6 +14,7 @@ if typing.TYPE_CHECKING:
 
 SHARED = {("y", "z"): "axis", ("mean", "lowest", "highest"): "statistic"}
 GROWTH = ("shaft", "bore")  # how the surfaces of growth begin
+ROW, BALL = re.compile(r"row \d+"), re.compile(r"row \d+ ball \d+")
 
 
 def name_of(path: str) -> str:
@@ -38,11 +39,21 @@ def column_dimension(path: str, columns: tuple[str, ...], n_columns: int) -> str
     if columns[:2] == GROWTH:
         return "surface"
     place = path.split("/")[2] if path.count("/") > 2 else ""
-    if columns and place and all(re.fullmatch(r"row \d+", column) for column in columns):
+    if columns and place and all(ROW.fullmatch(column) for column in columns):
         return f"{place}.row"
-    if columns and place and all(re.fullmatch(r"row \d+ ball \d+", column) for column in columns):
+    if columns and place and all(BALL.fullmatch(column) for column in columns):
         return f"{place}.ball"
     return f"{name_of(path)}.column"
+
+
+def shared_columns(recorded: _core.RecordedDrop) -> dict[str, set[tuple[str, ...]]]:
+    """Columns of all series by their second dimension: one that has several is shared by none, whichever series are asked for."""
+    found: dict[str, set[tuple[str, ...]]] = {}
+    for path in recorded.datasets:
+        columns = tuple(recorded.meaning(path)[3])
+        if columns:
+            found.setdefault(column_dimension(path, columns, len(columns)), set()).add(columns)
+    return found
 
 
 class Table(typing.NamedTuple):
@@ -79,6 +90,8 @@ def dataset(recorded: _core.RecordedDrop, paths: list[str], prefix: str = "", pl
     variables: dict[str, typing.Any] = {}
     coords: dict[str, typing.Any] = {}
     lengths: dict[str, int] = {}
+    columns_by_dimension: dict[str, set[tuple[str, ...]]] | None = None
+    names = {name_of(path).removeprefix(prefix) for path in paths}
     for path in paths:
         one = table(recorded, path)
         time = time_dimension(one.time_path)
@@ -92,8 +105,15 @@ def dataset(recorded: _core.RecordedDrop, paths: list[str], prefix: str = "", pl
         dims: tuple[str, ...] = (time,)
         if values.ndim > 1:
             dimension = column_dimension(path, one.columns, values.shape[1])
+            own = f"{name_of(path)}.column"
+            if one.columns and dimension not in (own, *SHARED.values()):
+                columns_by_dimension = columns_by_dimension or shared_columns(recorded)
+                if len(columns_by_dimension[dimension]) > 1:
+                    dimension = own
             if place and dimension.startswith(place + "."):
                 dimension = dimension.removeprefix(place + ".")
+            if dimension in names:  # a dimension cannot be called as a series
+                dimension = own
             dims = (time, dimension)
             if one.columns:
                 coords[dimension] = (dimension, list(one.columns))
