@@ -77,6 +77,12 @@ class SolverError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// A part that is not the program's, a support or thermal model of a module, threw; the message names it.
+class PartError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
 /// "error: FILE:LINE:COLUMN: message" and the advice on indented lines below; no line break at the end.
 std::string rendered(const Fault& fault);
 

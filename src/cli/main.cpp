@@ -313,10 +313,6 @@ int run_program(int argc, char** argv) {
   }
 }
 
-}  // namespace
-
-namespace {
-
 /// What names and permissions make impossible is for the user to change; the rest is the machine's.
 int exit_code_of(const std::error_code& error) {
   for (const auto by_name :
@@ -334,6 +330,9 @@ int run_guarded(int argc, char** argv) {
     fmt::print(stderr, "{}\n", error.what());
     return bad_input;
   } catch (const rotordrop::SolverError& error) {
+    fmt::print(stderr, "error: {}\n", error.what());
+    return run_failed;
+  } catch (const rotordrop::PartError& error) {
     fmt::print(stderr, "error: {}\n", error.what());
     return run_failed;
   } catch (const std::filesystem::filesystem_error& error) {

@@ -46,6 +46,8 @@ void add_errors(py::module_& core) {
       raise("InputError", error.what(), py::make_tuple(faults_to_python(error.faults())));
     } catch (const SolverError& error) {
       raise("SolverError", error.what(), py::tuple());
+    } catch (const PartError& error) {
+      raise("SolverError", error.what(), py::tuple());
     } catch (const Interruption& interruption) {
       try {
         std::rethrow_exception(interruption.raised);

@@ -13,6 +13,7 @@
 #include "base/errors.h"
 #include "case/modules/load_module.h"
 #include "case/program_files.h"
+#include "machine/others/guarded_parts.h"
 #include "machine/parts_module.h"
 
 namespace rotordrop {
@@ -25,8 +26,9 @@ constexpr const char* how_to_build = "docs/how-to/extending.md tells how a modul
 /// Collects what a module adds; the program takes it over when all of it is there.
 class Collected final : public PartsRegistry {
  public:
-  void add(SupportKind kind) override { supports_.push_back(std::move(kind)); }
-  void add(ThermalKind kind) override { thermal_.push_back(std::move(kind)); }
+  explicit Collected(std::string file) : file_(std::move(file)) {}
+  void add(SupportKind kind) override { supports_.push_back(guarded(std::move(kind), file_)); }
+  void add(ThermalKind kind) override { thermal_.push_back(guarded(std::move(kind), file_)); }
   [[nodiscard]] bool is_empty() const { return supports_.empty() && thermal_.empty(); }
   void hand_over() {
     for (auto& kind : supports_) add_support_kind(std::move(kind));
@@ -34,6 +36,7 @@ class Collected final : public PartsRegistry {
   }
 
  private:
+  std::string file_;
   std::vector<SupportKind> supports_;
   std::vector<ThermalKind> thermal_;
 };
@@ -49,13 +52,16 @@ void add_parts_of(void* module, const std::string& file, const SourcePosition& w
     throw InputError(
         where, fmt::format("{} was built for another version of the program.", file),
         fmt::format("It is for \"{}\", this is \"{}\". Build it again against this installation.", theirs, ours));
-  Collected parts;
+  Collected parts(file);
   try {
     add_parts(parts);
     if (parts.is_empty()) throw std::invalid_argument("it adds no part");
     parts.hand_over();
   } catch (const std::exception& error) {
     throw InputError(where, fmt::format("{} cannot add its parts: {}.", file, error.what()), how_to_build);
+  } catch (...) {
+    throw InputError(where, fmt::format("{} cannot add its parts: it threw what is no std::exception.", file),
+                     how_to_build);
   }
 }
 

@@ -47,7 +47,7 @@ def refused(argument: str, message: str) -> InputError:
 
 
 class SolverError(Error, RuntimeError):
-    """The numerics failed: the step size became too small, no equilibrium was found, a file cannot be written."""
+    """The numerics failed: the step size became too small, no equilibrium was found, a file cannot be written, a part of a module failed."""
 
 
 class CaseWarning(UserWarning):

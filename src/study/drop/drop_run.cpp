@@ -172,6 +172,8 @@ FinishedDrop run_drop(const Case& c, const Machine& machine, const RunOptions& o
       drop.run(is_stopped);
   } catch (const SolverError& error) {
     fail(error, drop, checkpoints, record);
+  } catch (const PartError& error) {
+    fail(SolverError(error.what()), drop, checkpoints, record);
   }
   FinishedDrop result{drop.result(), {}, nullptr};
   if (!result.completed) checkpoints.save();
