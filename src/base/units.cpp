@@ -326,6 +326,11 @@ bool takes_bare_numbers_only(std::string_view si_unit) {
   return si_unit != "1" && check_unit_text(si_unit) == UnitText::has_other_exponent;
 }
 
+bool is_unit(std::string_view si_unit) {
+  return si_unit == "1" || takes_bare_numbers_only(si_unit) ||
+         (check_unit_text(si_unit) == UnitText::sound && parsed(si_unit));
+}
+
 std::optional<double> bare_number(std::string_view text) {
   text = trimmed(text);
   std::errc status{};

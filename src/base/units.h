@@ -56,6 +56,9 @@ std::string dimension_name(std::string_view si_unit, QuantityKind kind);
 /// "250 um": a value that a user could write for this unit.
 std::string example_of(std::string_view si_unit, QuantityKind kind);
 
+/// Whether a text can be the unit of a declaration.
+bool is_unit(std::string_view si_unit);
+
 /// True for units such as "N/m^n" that cannot be converted.
 bool takes_bare_numbers_only(std::string_view si_unit);
 

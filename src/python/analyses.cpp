@@ -143,6 +143,7 @@ py::object compare(const std::shared_ptr<RecordedDrop>& drop, const std::shared_
 }  // namespace
 
 void add_analyses(py::module_& core) {
+  core.def("is_unit", &is_unit, py::arg("unit"));
   core.def("to_si", &to_si, py::arg("text"), py::arg("unit"), py::arg("argument"));
   core.def("modes", &modes, py::arg("case"), py::arg("speeds"), py::arg("n_modes"));
   core.def("critical_speeds", &found_critical_speeds, py::arg("case"), py::arg("up_to"), py::arg("stiffness"),

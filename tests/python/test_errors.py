@@ -187,7 +187,9 @@ class Faults(PackageTest):
         with self.assertRaises(rd.InputError) as caught:
             rd.si("3 kg", "m", "stiffness")
         self.assertIn("stiffness", str(caught.exception))
-
+        for quantity in (5, "5 m"):
+            with self.subTest(quantity), self.assertRaisesRegex(rd.InputError, "'foo' is not known"):
+                rd.si(quantity, "foo")
 
     def test_numbers_and_texts_that_a_case_cannot_hold_are_refused_with_their_key(self):
         for value in (10**400, "\ud800 um"):

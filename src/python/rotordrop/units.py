@@ -16,8 +16,10 @@ def si(quantity: float | str, unit: str, name: str = "quantity") -> float:
     """A quantity in an SI unit: `si("15200 rpm", "rad/s")` is 1591.74; a number is one already.
 
     unit    "m", "N", "rad/s", "K" ...; what is given must have its dimension
-    name    how an InputError calls it: one is raised for another dimension, and for what is not a finite number
+    name    how an InputError calls it: one is raised for another dimension, for a unit that is not known, and for what is not a finite number
     """
+    if not _core.is_unit(unit):
+        raise refused(name, f"the unit {unit!r} is not known; units are written as in 'N m', 'W/(m K)' or 'kg/m3'")
     value = _core.to_si(quantity, unit, name) if isinstance(quantity, str) else float(quantity)
     if not math.isfinite(value):
         raise refused(name, f"{value} is not a finite number")
