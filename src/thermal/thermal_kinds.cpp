@@ -55,7 +55,9 @@ void add_thermal_kind(ThermalKind kind) {
   // Its name is a word of thermal.driver, a table in [thermal], a group of the results and a key of each bearing's summary.
   if (std::find(words.begin(), words.end(), kind.name) != words.end() || thermal_section().erased()->find(kind.name) ||
       is_group_of_results(kind.name))
-    throw std::invalid_argument("a thermal model cannot be called \"" + kind.name + "\": the name is taken");
+    throw std::invalid_argument("a thermal model cannot be called \"" + kind.name +
+                                "\": the name is taken, by a key of [thermal] or by what results hold; choose another "
+                                "of letters, digits, _ and -");
   if (!kind.make && !kind.read) throw std::invalid_argument("nothing makes the thermal model \"" + kind.name + "\"");
   if (kind.title.empty()) kind.title = "thermal model \"" + kind.name + "\"";
   if (kind.word.empty()) kind.word = kind.title;

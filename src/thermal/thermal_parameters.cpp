@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <set>
 
 namespace rotordrop {
 namespace {
@@ -57,10 +58,18 @@ std::vector<std::string> driver_words() {
 }
 
 bool is_group_of_results(const std::string& name) {
-  const auto taken = {"bearings", "rotor",   "probes", "growth",     "energy",  "ledger",       "windows", "time",
-                      "thermal",  "support", "whirl",  "shoulder",   "spin_up", "clearance",    "preload", "local",
-                      "wear",     "rows",    "skid",   "gyroscopic", "axial",   "static_safety"};
-  return std::find(taken.begin(), taken.end(), name) != taken.end();
+  static const std::set<std::string> taken = {
+      // At the root of result files (io, machine/machine_observables.cpp, study/drop/drop_record.cpp).
+      "bearings", "rotor", "probes", "growth", "energy", "ledger", "windows", "time", "thermal", "detail", "parameters",
+      "given", "inputs",
+      // Of a bearing in summary.json (study/drop/summary_json.cpp).
+      "first_contact_time", "first_contact_end", "second_contact_time", "peak_contact_force", "peak_contact_force_time",
+      "first_bounce_apex", "peak_friction_heat_rate", "friction_heat", "inner_heat", "outer_heat", "catch_up_time",
+      "ring_speed_end", "mean_contact_force_end", "load_torque_peak", "spin_torque_peak", "inner_heat_rate_max",
+      "outer_heat_rate_max", "largest_ball_force", "largest_contact_pressure", "largest_contact_pressure_time",
+      "static_safety", "rows", "centrifugal_force", "ball_model", "preload", "skid", "gyroscopic", "clearance", "axial",
+      "temperature_rise_end", "local", "wear", "damage", "shoulder", "whirl", "support", "spin_up"};
+  return taken.count(name) != 0;
 }
 
 std::vector<std::string> read_thermal_models(const Node& node, const std::string& name, Faults& faults) {

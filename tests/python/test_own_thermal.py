@@ -188,6 +188,17 @@ class ThermalModels(PackageTest):
                 rd.add_thermal_model(type("Wrong", (Lump,), {"type": name, **methods}))
                 self.case([name]).run()
 
+    def test_no_name_of_results_can_be_that_of_a_model(self):
+        result = rd.Case(SETTLING, {"run.end_time": "1 ms"}).run(self.folder / "run")
+        import h5py
+
+        with h5py.File(self.folder / "run/results.h5") as file:
+            names = set(file) | set(result.summary["bearings"]["TB1"])
+        self.assertLessEqual({"parameters", "given", "peak_contact_force"}, names)
+        for name in names:
+            with self.subTest(name), self.assertRaisesRegex(ValueError, "the name is taken.*choose another of letters"):
+                rd.add_thermal_model(type("Taken", (Lump,), {"type": name}))
+
     def test_names_that_are_taken_or_missing(self):
         for name in ("lumped", "energy", "none", "a b"):
             with self.subTest(name), self.assertRaises(ValueError):
