@@ -8,6 +8,7 @@
 #include "bearing/support/linear_support.h"
 #include "machine/heat/make_sections.h"
 #include "machine/magnets.h"
+#include "machine/others/declared_parts.h"
 #include "machine/probes.h"
 #include "machine/speed_growth.h"
 
@@ -95,6 +96,7 @@ Machine::Parts machine_parts(const MachineParameters& p, const Node& case_node, 
   std::vector<int> nodes;
   std::vector<RingAtRest> rings;
   std::size_t n_places = 0;
+  Faults faults;
   for (const auto& entry : p.bearings) {
     nodes.push_back(entry.node());
     if (const auto* b = entry.touchdown()) {
@@ -115,11 +117,15 @@ Machine::Parts machine_parts(const MachineParameters& p, const Node& case_node, 
         parts.supports.push_back(std::make_unique<LinearSupport>(entry.name, l->stiffness, l->damping));
       else if (entry.magnet())
         parts.supports.push_back(nullptr);  // made when it is known where the rotor starts
-      else
+      else {
         parts.supports.push_back(entry.other()->make(entry.name));
+        check_declared(parts.supports.back().get(), entry.name,
+                       position_of(table_of(case_node, "bearings"), entry.name), faults);
+      }
       parts.thermal_place.emplace_back(std::nullopt);
     }
   }
+  faults.throw_if_any();
   parts.probes = probes_of(p.rotor);
   for (auto& probe : probe_contacts(p.rotor)) {
     nodes.push_back(probe.node);

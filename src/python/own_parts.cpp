@@ -4,9 +4,11 @@
 #include <pybind11/numpy.h>
 #include <pybind11/stl.h>
 
-#include <cmath>
-#include <set>
+#include <algorithm>
+#include <cctype>
 
+#include "base/parameters/value_reader.h"
+#include "base/units.h"
 #include "python/values.h"
 
 namespace rotordrop::python {
@@ -18,13 +20,37 @@ bool KeyOfPart::operator==(const KeyOfPart& other) const {
          text(fallback) == text(other.fallback);
 }
 
-std::vector<KeyOfPart> keys_of(const py::list& parameters) {
+namespace {
+
+void check_key(const KeyOfPart& key, const std::string& of, const std::vector<std::string>& taken, Faults& faults) {
+  const bool is_name = !key.name.empty() && std::all_of(key.name.begin(), key.name.end(), [](unsigned char c) {
+    return std::isalnum(c) || c == '_' || c == '-';
+  });
+  if (!is_name)
+    faults.add({}, fmt::format("{}: a key cannot be called \"{}\".", of, key.name), "Use letters, digits, _ and -.");
+  if (std::find(taken.begin(), taken.end(), key.name) != taken.end())
+    faults.add({}, fmt::format("{}: the key \"{}\" is taken.", of, key.name),
+               "Every table of [bearings] has it: choose another name.");
+  if (!is_unit(key.unit))
+    faults.add({}, fmt::format("{}: the unit \"{}\" of \"{}\" is not known.", of, key.unit, key.name),
+               "Units are written as in \"N m\", \"W/(m K)\" or \"kg/m3\".");
+  else if (key.fallback)
+    static_cast<void>(read_quantity(*key.fallback, {.unit = key.unit}, of + "." + key.name, faults));
+}
+
+}  // namespace
+
+std::vector<KeyOfPart> keys_of(const py::list& parameters, const std::string& of,
+                               const std::vector<std::string>& taken) {
   std::vector<KeyOfPart> keys;
+  Faults faults;
   for (const auto& one : parameters) {
     const auto [name, unit, fallback, help] = one.cast<std::tuple<std::string, std::string, py::object, std::string>>();
     keys.push_back({name, unit, help, {}});
     if (!fallback.is_none()) keys.back().fallback = to_node(fallback, name);
+    check_key(keys.back(), of, taken, faults);
   }
+  faults.throw_if_any();
   return keys;
 }
 
@@ -49,57 +75,22 @@ py::array real_array(const py::handle& values) {
   return array;
 }
 
-/// Names of what a part brings along, each once.
-class Names {
- public:
-  explicit Names(std::string of) : of_(std::move(of)) {}
-  void add(const std::string& name) {
-    if (name.empty()) throw py::value_error(of_ + ": a name is empty");
-    if (!known_.insert(name).second) throw py::value_error(fmt::format("{}: \"{}\" stands twice", of_, name));
-  }
-  /// Of a dataset.
-  void add_path(const std::string& name) {
-    const std::string path = "/" + name + "/";
-    for (const char* part : {"//", "/./", "/../"})
-      if (!name.empty() && path.find(part) != std::string::npos)
-        throw py::value_error(fmt::format(
-            "{}: \"{}\" cannot be the name of a dataset: no part may be empty, \".\" or \"..\"", of_, name));
-    for (const std::string& known : known_) {
-      const std::string other = "/" + known + "/";
-      if (path.starts_with(other) != other.starts_with(path))
-        throw py::value_error(
-            fmt::format("{}: \"{}\" and \"{}\" cannot both be datasets: one would lie in the other", of_, known, name));
-    }
-    add(name);
-  }
-
- private:
-  std::string of_;
-  std::set<std::string> known_;
-};
-
 }  // namespace
 
-std::vector<StateEntry> state_entries_of(const py::handle& states, const std::string& of) {
+std::vector<StateEntry> state_entries_of(const py::handle& states) {
   std::vector<StateEntry> entries;
-  Names names(of);
   for (const auto& one : states) {
     const auto [name, unit, scale] = one.cast<std::tuple<std::string, std::string, double>>();
-    names.add(name);
-    if (!(scale > 0. && std::isfinite(scale)))
-      throw py::value_error(fmt::format("{}: the scale of \"{}\" must be larger than 0 and is {}", of, name, scale));
     entries.push_back({name, unit, scale});
   }
   return entries;
 }
 
-std::vector<Observable> observables_of(const py::handle& series, const std::string& of) {
+std::vector<Observable> observables_of(const py::handle& series) {
   std::vector<Observable> list;
-  Names names(of);
   for (const auto& one : series) {
     const auto [name, unit, meaning, columns] =
         one.cast<std::tuple<std::string, std::string, std::string, std::vector<std::string>>>();
-    names.add_path(name);
     list.push_back({name, unit, meaning, std::max<std::size_t>(1, columns.size()), columns});
   }
   return list;

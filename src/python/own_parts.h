@@ -23,7 +23,11 @@ struct KeyOfPart {
   bool operator==(const KeyOfPart& other) const;
 };
 /// From tuples (name, unit, default or None, help).
-std::vector<KeyOfPart> keys_of(const pybind11::list& parameters);
+/// @param of     "NAME.parameters" in messages
+/// @param taken  keys that every part of its kind has
+/// @throws InputError for names that a case cannot have, for units that are not known, and for defaults of another dimension
+std::vector<KeyOfPart> keys_of(const pybind11::list& parameters, const std::string& of,
+                               const std::vector<std::string>& taken = {});
 
 /// Declares the keys in a section; their values, in SI, go into `values` of what it reads.
 /// @param prefix  of their names in messages, "thermal.wall."
@@ -50,10 +54,10 @@ using KnownClasses = std::map<std::string, KnownClass>;
 bool replace_class(const KnownClasses& known, const std::string& type, const std::vector<KeyOfPart>& keys,
                    const pybind11::object& part);
 
-/// From rotordrop.State: name, unit, scale. @param of  "NAME.states" in messages @throws ValueError for names that are empty or stand twice, and for scales
-std::vector<StateEntry> state_entries_of(const pybind11::handle& states, const std::string& of);
-/// From rotordrop.Series: name, unit, meaning, columns. @throws ValueError for names that can be none of a dataset
-std::vector<Observable> observables_of(const pybind11::handle& series, const std::string& of);
+/// From rotordrop.State: name, unit, scale. The machine checks them (machine/others/declared_parts.h).
+std::vector<StateEntry> state_entries_of(const pybind11::handle& states);
+/// From rotordrop.Series: name, unit, meaning, columns. Likewise.
+std::vector<Observable> observables_of(const pybind11::handle& series);
 
 /// A copy for Python.
 pybind11::object array_of(std::span<const double> values);

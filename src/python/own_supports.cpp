@@ -32,8 +32,8 @@ class PythonSupport final : public Support {
  public:
   /// With Python's lock.
   PythonSupport(std::string name, py::object part) : name_(std::move(name)), part_(std::move(part)) {
-    states_ = state_entries_of(part_.attr("states"), name_ + ".states");
-    observables_ = observables_of(part_.attr("series"), name_ + ".series");
+    states_ = state_entries_of(part_.attr("states"));
+    observables_ = observables_of(part_.attr("series"));
     initial_ = numbers_of(part_.attr("initial_state")(), states_.size(), name_ + ".initial_state()");
   }
   ~PythonSupport() override {
@@ -96,7 +96,7 @@ KnownClasses& known_classes() {
 }
 
 void add_support(const std::string& type, const py::list& parameters, const py::object& part) {
-  const auto keys = keys_of(parameters);
+  const auto keys = keys_of(parameters, type + ".parameters", {"node", "type"});
   if (replace_class(known_classes(), type, keys, part)) return;
   auto* kept = new py::object(part);
   add_support_kind(type, section_of(type, keys), [kept](const std::string& name, const PythonKeys& p) {

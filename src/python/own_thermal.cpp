@@ -31,8 +31,8 @@ class PythonThermalModel final : public ThermalModel {
   /// With Python's lock.
   PythonThermalModel(std::string name, py::object part, const std::vector<BearingCircuitData>& bearings)
       : name_(std::move(name)), part_(std::move(part)), n_places_(bearings.size()) {
-    states_ = state_entries_of(part_.attr("states"), name_ + ".states");
-    observables_ = observables_of(part_.attr("reported")(), name_ + ".series");
+    states_ = state_entries_of(part_.attr("states"));
+    observables_ = observables_of(part_.attr("reported")());
     for (Observable& o : observables_)
       for (const auto& b : bearings)
         if (o.name == b.name + "/inner_ring" && o.unit == "K") {
@@ -164,7 +164,7 @@ KnownClasses& known_classes() {
 
 void add_thermal_model(const std::string& type, const std::string& title, const py::list& parameters,
                        const py::object& part) {
-  const auto keys = keys_of(parameters);
+  const auto keys = keys_of(parameters, type + ".parameters");
   if (replace_class(known_classes(), type, keys, part)) return;
   auto* kept = new py::object(part);
   const auto make = [kept, type](const ThermalGeometry& geometry, const PythonKeys& p) {
@@ -243,7 +243,7 @@ void add_heat(py::module_& core) {
       .def_readonly("ring_surface_speed", &HeatInput::ring_surface_speed, "[m/s]")
       .def_readonly("is_in_contact", &HeatInput::is_in_contact, "rotor and bore touch")
       .def_readonly("balls", &HeatInput::balls, "what rolling balls conduct")
-      .def_readonly("rows", &HeatInput::rows, "the same by row, if a model heats rows apart");
+      .def_readonly("rows", &HeatInput::rows, "the same by row, if finite elements heat rows apart; else empty");
 }
 
 void add_geometry(py::module_& core) {

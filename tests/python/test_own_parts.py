@@ -6,7 +6,7 @@ import unittest
 import numpy as np
 
 sys.path.insert(0, __file__.rpartition("/")[0])
-from package import PARAMS, PackageTest, rd  # noqa: E402
+from package import PARAMS, SETTLING, PackageTest, rd  # noqa: E402
 
 STIFFNESS, DAMPING = 5e6, 2e3  # [N/m], [N s/m]
 
@@ -148,20 +148,61 @@ class Supports(PackageTest):
             ("python-none", {"evaluate": lambda self, seen, state: None}, r"A\.evaluate\(\) must return a SupportResponse, and returned None"),
             ("python-energy", {"energy": lambda self, seen, state: 1j}, r"A\.energy\(\) must return a number, and returned 1j"),
             ("python-start", {"states": [state], "initial_state": lambda self: [1j]}, r"initial_state\(\) must return 1 number, and returned \[1j\]"),
-            ("python-scale", {"states": [state._replace(scale=0.0)]}, r'A\.states: the scale of "stretch" must be larger than 0 and is 0'),
+            ("python-scale", {"states": [state._replace(scale=0.0)]}, r'bearings\.A: the scale of state "stretch" must be larger than 0 and is 0'),
             ("python-no-scale", {"states": [state._replace(scale=float("nan"))]}, r"must be larger than 0 and is nan"),
-            ("python-states", {"states": [state, state]}, r'A\.states: "stretch" stands twice'),
-            ("python-series", {"series": [series, series]}, r'A\.series: "position" stands twice'),
-            ("python-nameless", {"series": [series._replace(name="")]}, r"A\.series: a name is empty"),
+            ("python-states", {"states": [state, state]}, r'bearings\.A: state "stretch" stands twice'),
+            ("python-series", {"series": [series, series]}, r'bearings\.A: series "position" stands twice'),
+            ("python-nameless", {"series": [series._replace(name="")]}, r"bearings\.A: the name of a series is empty"),
             ("python-complex", {"energy": lambda self, seen, state: np.complex128(1 + 2j)}, r"A\.energy\(\) must return a number"),
             ("python-letters", {"energy": lambda self, seen, state: "x" + 80 * "é"}, r"energy\(\) must return a number, and returned 'xé"),
             ("python-within", {"series": [series, series._replace(name="position/y")]}, r'"position" and "position/y" cannot both be datasets'),
             ("python-dot", {"series": [series._replace(name="./position")]}, r'"\./position" cannot be the name of a dataset'),
             ("python-path", {"series": [series._replace(name="a//b")]}, r'"a//b" cannot be the name of a dataset'),
+            ("python-dotted", {"series": [series._replace(name="a.b")]}, r'"a\.b" cannot have a dot in its name'),
+            ("python-time", {"series": [series._replace(name="time")]}, r'"time" cannot be called so'),
+            ("python-columns", {"series": [series._replace(columns=("u", "u"))]}, r'"position" has two columns "u"'),
         ):
             with self.subTest(name), self.assertRaisesRegex(ValueError, message):
                 rd.add_support(type("Wrong", (Spring,), {"type": name, **attributes}))
                 self.case({"type": name, "stiffness": 1e6}).run()
+
+    def test_keys_that_no_case_can_have_are_refused_at_once(self):
+        for name, quantity, message in (
+            ("a.b", rd.Quantity("m"), r'wrong\.parameters: a key cannot be called "a\.b"'),
+            ("", rd.Quantity("m"), r'a key cannot be called ""'),
+            ("a b", rd.Quantity("m"), r'a key cannot be called "a b"'),
+            ("node", rd.Quantity("m"), r'the key "node" is taken'),
+            ("type", rd.Quantity("m"), r'the key "type" is taken'),
+            ("gap", rd.Quantity("foo"), r'the unit "foo" of "gap" is not known'),
+            ("gap", rd.Quantity("m", "3 kg"), r"gap"),
+        ):
+            with self.subTest(name, quantity=quantity), self.assertRaisesRegex(rd.InputError, message):
+                rd.add_support(type("Wrong", (Spring,), {"type": "wrong", "parameters": {name: quantity}}))
+
+    def test_dimensions_are_shared_only_by_series_with_the_same_columns(self):
+        class Reporting(Spring):
+            type = "python-reporting"
+            series = (
+                rd.Series("growth", "m", "two surfaces", ("shaft", "bore")),
+                rd.Series("one", "N", "one row", ("row 1",)),
+                rd.Series("two", "N", "two rows", ("row 1", "row 2")),
+                rd.Series("row", "N", "called as a dimension", ("row 1", "row 2", "row 3")),
+            )
+
+            def evaluate(self, seen, state):
+                k, at = self.values["stiffness"], seen.journal
+                return rd.SupportResponse(force_y=-k * at.y, force_z=-k * at.z, observed=range(8))
+
+        rd.add_support(Reporting)
+        result = rd.Case(SETTLING, {"run.end_time": "1 ms", "bearings.S.type": "python-reporting", "bearings.S.node": 16, "bearings.S.stiffness": 1e3}).run()
+        self.assertEqual(result.series["bearings.TB1.ball_force"].dims[1], "TB1.row")
+        self.assertEqual(result.series["bearings.S.two"].shape[1], 2)
+        self.assertEqual(result["bearings.S.two"].dims, result.series["bearings.S.two"].dims)
+        own = result.bearings["S"]
+        np.testing.assert_array_equal(own["row"].values[0], [5, 6, 7])
+        np.testing.assert_array_equal(own["growth"].values[0], [0, 1])
+        self.assertEqual(list(result.frame("bearings.S.growth").columns), ["bearings.S.growth.shaft", "bearings.S.growth.bore"])
+        self.assertIn("bearings.S.two.row 2", result.frame().columns)
 
     def test_ctrl_c_within_a_part_ends_a_study(self):
         class Interrupted(Spring):
