@@ -12,8 +12,9 @@ std::vector<std::size_t> watched_columns(const std::vector<Observable>& step_obs
   std::vector<std::size_t> touchdown, all;
   std::size_t at = 0;
   for (const auto& o : step_observables) {
-    const bool is_watched =
-        o.kind == Observed::contact_force || o.kind == Observed::orbit || o.kind == Observed::ring_speed;
+    const bool is_watched = o.kind == Observed::contact_force || o.kind == Observed::orbit ||
+                            o.kind == Observed::ring_speed || o.kind == Observed::shoulder_force ||
+                            o.kind == Observed::axial_position;
     for (std::size_t k = 0; k < o.size; ++k, ++at) {
       all.push_back(at);
       if (is_watched) touchdown.push_back(at);

@@ -129,12 +129,15 @@ TEST(RowSchedule, OfRowsThatComeLateGoesOnAfterAResumeAtAnyStep) {
   EXPECT_THROW(rows.unpack(std::vector<double>{1., 2.}), std::invalid_argument);
 }
 
-TEST(WatchedColumns, AreForcesOrbitsAndRingSpeeds) {
+TEST(WatchedColumns, AreForcesPositionsAndRingSpeeds) {
   const std::vector<Observable> list = {{"/bearings/A/orbit", "m", "", 2, {}, Observed::orbit},
                                         {"/bearings/A/slip_speed", "m/s", "", 1, {}, Observed::slip_speed},
                                         {"/bearings/A/contact_force", "N", "", 1, {}, Observed::contact_force},
-                                        {"/bearings/A/ring_speed", "rad/s", "", 1, {}, Observed::ring_speed}};
-  EXPECT_EQ(watched_columns(list), (std::vector<std::size_t>{0, 1, 3, 4}));
+                                        {"/bearings/A/ring_speed", "rad/s", "", 1, {}, Observed::ring_speed},
+                                        {"/bearings/A/axial_position", "m", "", 2, {}, Observed::axial_position},
+                                        {"/bearings/A/axial_force", "N", "", 1, {}, Observed::axial_force},
+                                        {"/bearings/A/shoulder_force", "N", "", 1, {}, Observed::shoulder_force}};
+  EXPECT_EQ(watched_columns(list), (std::vector<std::size_t>{0, 1, 3, 4, 5, 6, 8}));
   EXPECT_EQ(watched_columns({{"/bearings/L/displacement", "m", "", 2, {}}}), (std::vector<std::size_t>{0, 1}));
 }
 
