@@ -104,6 +104,11 @@ class Thrust(ProgramTest):
         self.assertEqual(done.returncode, 2)
         self.assertIn("shoulders.radius = 50 mm is not on the inner ring's face, which reaches from 35 mm to 39 mm", done.stderr)
 
+    def test_the_first_touch_by_free_fall_is_that_of_a_bore(self):
+        self.assertIn("first touch of a bore: after about", self.succeed("check", "neisi2019-thrust.toml").stdout)
+        done = self.succeed("check", "neisi2019-thrust.toml", *settings(run__end_time="3 ms"))
+        self.assertIn("The run ends before, at 3 ms: no bore is touched.", done.stdout)
+
     def test_radial_friction_under_thrust_is_warned_of(self):
         done = self.call("check", "neisi2019-thrust.toml", "--set", "bearings.load_law=radial")
         self.assertEqual(done.returncode, 0, done.stderr)

@@ -57,12 +57,13 @@ std::string first_touch_text(const MachineParameters& p) {
   const auto t = first_touch(p);
   if (!t) return "";
   const double end = p.run.latest_end();
-  return fmt::format("first touch: after about {:.3g} ms, by free fall{}\n", *t * 1e3,
-                     *t < end
-                         ? ""
-                         : fmt::format(". The run ends before, at {:.6g} ms: nothing is touched. Check run.end_time;"
-                                       " a bare number is in seconds",
-                                       end * 1e3));
+  const bool moves_along = p.rotor.axial_motion == AxialFreedom::free;  // to shoulders, which are not looked at
+  return fmt::format("first touch{}: after about {:.3g} ms, by free fall{}\n", moves_along ? " of a bore" : "",
+                     *t * 1e3,
+                     *t < end ? ""
+                              : fmt::format(". The run ends before, at {:.6g} ms: {} is touched. Check run.end_time;"
+                                            " a bare number is in seconds",
+                                            end * 1e3, moves_along ? "no bore" : "nothing"));
 }
 
 }  // namespace rotordrop
