@@ -109,16 +109,12 @@ std::string bounds_in_words(const Json& limit) {
                      with_unit(limit["high"], limit["unit"]));
 }
 
-/// Whether a drop ends before the rotor touches anything, a bearing or a contact at a probe: then it has met nothing.
-bool is_fall(const std::vector<std::pair<std::string, double>>& numbers) {
-  bool has_places = false;
-  for (const auto& [name, value] : numbers) {
-    const bool is_of_bearing = name.starts_with("bearings.") && name.ends_with(".first_touch_time"),
-               is_of_probe = name.starts_with("probes.") && name.ends_with(".contact.peak_contact_force");
-    if ((is_of_bearing && std::isfinite(value)) || (is_of_probe && value > 0.)) return false;
-    has_places = has_places || is_of_bearing || is_of_probe;
-  }
-  return has_places;
+bool tells_touch_of_bearing(const std::string& name) {
+  return name.starts_with("bearings.") && name.ends_with(".first_touch_time");
+}
+
+bool tells_force_at_probe(const std::string& name) {
+  return name.starts_with("probes.") && name.ends_with(".contact.peak_contact_force");
 }
 
 /// "; 4.1 N to 4.3 N in 3 drops" where a second opinion has the result.
@@ -137,6 +133,18 @@ std::vector<std::pair<std::string, double>> numbers_of(const Json& summary) {
   std::vector<std::pair<std::string, double>> numbers;
   collect(summary, "", numbers);
   return numbers;
+}
+
+bool tells_contact(const std::string& name) { return tells_touch_of_bearing(name) || tells_force_at_probe(name); }
+
+bool is_without_contact(const std::vector<std::pair<std::string, double>>& numbers) {
+  bool is_told = false;
+  for (const auto& [name, value] : numbers) {
+    if ((tells_touch_of_bearing(name) && std::isfinite(value)) || (tells_force_at_probe(name) && value > 0.))
+      return false;
+    is_told = is_told || tells_contact(name);
+  }
+  return is_told;
 }
 
 std::string advice_on_result(const std::string& name, const std::vector<std::string>& names) {
@@ -185,7 +193,7 @@ Json assessed(const std::vector<Limit>& limits, const std::vector<std::pair<std:
     const auto found = std::find_if(numbers.begin(), numbers.end(), [&](const auto& n) { return n.first == name; });
     return found == numbers.end() ? std::nan("") : found->second;
   };
-  const bool touches_nothing = is_fall(numbers);
+  const bool touches_nothing = is_without_contact(numbers);
   for (const auto& limit : limits) {
     const double value = number(limit.pattern), low = number(limit.pattern + "_low"),
                  high = number(limit.pattern + "_high");

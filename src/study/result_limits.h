@@ -23,7 +23,12 @@ std::string advice_on_result(const std::string& name, const std::vector<std::str
 std::vector<Limit> resolved_limits(const std::vector<Limit>& limits, const std::vector<std::string>& names,
                                    const std::function<std::string(const std::string&)>& unit_of, Faults& faults);
 
-/// `limits` of summary.json. @param limits  resolved
+/// Whether a result tells of contact: when a bearing was touched first, how hard a contact at a probe.
+bool tells_contact(const std::string& name);
+/// Whether a drop ended before the rotor touched anything, a bearing or a contact at a probe, by those of its numbers that tell; no if none does.
+bool is_without_contact(const std::vector<std::pair<std::string, double>>& numbers);
+
+/// `limits` of summary.json. Of a drop without contact nothing is assessed: it has met nothing. @param limits  resolved
 /// @param is_complete  of a run that was interrupted nothing is assessed: it may still exceed a limit, or come back below
 nlohmann::ordered_json assessed(const std::vector<Limit>& limits,
                                 const std::vector<std::pair<std::string, double>>& numbers, bool is_complete);

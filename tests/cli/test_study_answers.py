@@ -130,6 +130,22 @@ class StudyAnswers(ProgramTest):
         self.refused(VARY + size + pair + pair, "two [[correlation]] are of contact.friction_coefficient and contact.air_gap")
         self.refused(VARY + size + '[derived]\na = { formula = "' + "-" * 50000 + '1" }\n', "more than 10000 characters")
 
+    def test_drops_that_end_before_the_rotor_touches_anything_meet_no_limit(self):
+        # Free fall through 250 um takes 7.1 ms, through 400 um 9.0 ms.
+        text = ('case = "drop.toml"\n[vary]\ncontact.air_gap = { values = ["200 um", "250 um", "400 um", "500 um"] }\n'
+                '[design]\nkind = "list"\n[keep]\nresults = ["bearings.TB1.friction_heat"]\n'
+                f'[limits]\n{FORCE} = {{ max = "1 kN" }}\nbearings.TB1.peak_contact_force_time = {{ max = "1 s" }}\n')
+        for lanes in ("true", "false"):
+            told, answers = self.study(f"lanes = {lanes}\n" + text, lanes, "--set", 'run.end_time="8 ms"')
+            self.assertIn("2 of 4 drops ended before the rotor touched anything", told)
+            self.assertEqual(answers["without_contact"], 2)
+            self.assertEqual([(one["n"], one["undefined"], one["broken"]) for one in answers["limits"]], [(2, 2, 2), (2, 2, 0)])
+            self.succeed("study", "report", lanes)
+            self.assertIn("2 of 4 drops ended before", (self.folder / lanes / "report.html").read_text())
+        told, answers = self.study(text, "longer", "--set", 'run.end_time="20 ms"')
+        self.assertNotIn("touched anything", told)
+        self.assertEqual((answers["without_contact"], answers["limits"][0]["n"]), (0, 4))
+
     def test_a_formula_feeds_a_key_of_whole_numbers(self):
         self.write("s.toml", VARY + 'bearings.TB1.balls_per_row = { formula = "14 + 0 * contact.air_gap" }\n[design]\nsize = 2\n')
         self.succeed("study", "s.toml", "--dry-run")

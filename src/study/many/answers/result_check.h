@@ -11,7 +11,7 @@ namespace rotordrop {
 std::string unit_of_result(const Study& study, const std::string& name);
 std::string long_name_of_result(const Study& study, const std::string& name);
 
-/// Whether a study keeps a result: as asked for, derived, or needed by a limit or a choice.
+/// Whether a study keeps a result: as asked for, derived, needed by a limit or a choice, or telling whether the rotor touched anything.
 bool is_kept(const Study& study, const std::string& name);
 
 /// Limits, choices, derived and kept results against the names of a drop's results: patterns of limits become names, limits SI.

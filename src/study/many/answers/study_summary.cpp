@@ -14,6 +14,7 @@
 #include "study/many/answers/sensitivity.h"
 #include "study/many/answers/surrogate_summary.h"
 #include "study/many/study_folder.h"
+#include "study/result_limits.h"
 
 namespace rotordrop {
 namespace {
@@ -92,7 +93,21 @@ Json result_summary(const Study& study, const Design& design, const ResultColumn
   return j;
 }
 
-Json limit_summary(const Study& study, const Design& design, const StudyTable& table, const Limit& limit) {
+/// [points], 1: the drop ended before the rotor touched anything.
+std::vector<char> points_without_contact(const StudyTable& table) {
+  std::vector<char> are(table.n_points, 0);
+  for (std::size_t k = 0; k < table.n_points; ++k) {
+    if (table.status[k] != PointStatus::done) continue;
+    std::vector<std::pair<std::string, double>> told;
+    for (const auto& column : table.results)
+      if (tells_contact(column.name)) told.emplace_back(column.name, column.values[k]);
+    are[k] = is_without_contact(told);
+  }
+  return are;
+}
+
+Json limit_summary(const Study& study, const Design& design, const StudyTable& table,
+                   const std::vector<char>& is_without_contact, const Limit& limit) {
   Json j{{"result", limit.pattern}, {"max", json_number(limit.max)}, {"min", json_number(limit.min)}};
   const ResultColumn* column = table.find(limit.pattern);
   auto points = sample_points(study, design);
@@ -105,7 +120,7 @@ Json limit_summary(const Study& study, const Design& design, const StudyTable& t
   for (const auto k : points) {
     if (table.status[k] != PointStatus::done) continue;
     const double value = column ? column->values[k] : std::nan("");
-    if (!std::isfinite(value)) {
+    if (is_without_contact[k] || !std::isfinite(value)) {
       ++n_undefined;
       continue;
     }
@@ -323,8 +338,11 @@ Json study_summary(const Study& study, const Design& design, const StudyTable& t
   if (study.design.size) j["design"]["size"] = *study.design.size;
   j["parameters"] = Json::object();
   for (const auto& p : study.parameters) j["parameters"][p.name] = parameter_summary(p);
+  const auto are_without_contact = points_without_contact(table);
+  j["without_contact"] = std::count(are_without_contact.begin(), are_without_contact.end(), 1);
   j["limits"] = Json::array();
-  for (const auto& limit : study.limits) j["limits"].push_back(limit_summary(study, design, table, limit));
+  for (const auto& limit : study.limits)
+    j["limits"].push_back(limit_summary(study, design, table, are_without_contact, limit));
   if (study.fit) j["fit"] = fit_summary(study, design, table);
   if (study.minimise) j["minimise"] = minimise_summary(study, design, table);
   if (study.choice) j["choose"] = choice_summary(study, design, table);

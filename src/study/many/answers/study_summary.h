@@ -15,6 +15,9 @@ nlohmann::ordered_json study_summary(const Study& study, const Design& design, c
 /// A few lines on the screen.
 std::string study_text(const Study& study, const nlohmann::ordered_json& summary);
 
+/// How many drops ended before the rotor touched anything, for the screen and the page; empty if none did.
+std::string without_contact_text(const nlohmann::ordered_json& summary);
+
 /// study.h5, study.csv and study.json. @param shards  as of write_study_hdf5() @throws SummaryStopped, nothing being written then
 void write_results(const std::filesystem::path& directory, const Study& study, const Design& design,
                    const StudyTable& table, const std::string& digest, const SummaryWatch& watch = {},

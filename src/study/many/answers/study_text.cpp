@@ -70,6 +70,16 @@ std::string influence_text(const Json& j, const std::string& result) {
 
 }  // namespace
 
+std::string without_contact_text(const Json& summary) {
+  // Summaries of earlier versions do not have it.
+  const auto n = summary.value("without_contact", std::size_t{0});
+  if (n == 0) return {};
+  return fmt::format(
+      "{} of {} drops ended before the rotor touched anything: limits leave them out, all else counts them. Check "
+      "run.end_time, air gaps and what still holds the rotor.",
+      n, summary["done"].get<std::size_t>());
+}
+
 std::string study_text(const Study& study, const Json& j) {
   std::string text = fmt::format(
       "{} drops: {} done, {} failed{}; {:.4g} s of CPU, {:.3g} s each\n", j["points"].get<std::size_t>(),
@@ -77,6 +87,7 @@ std::string study_text(const Study& study, const Json& j) {
       j["not_run"].get<std::size_t>() > 0 ? fmt::format(", {} not run", j["not_run"].get<std::size_t>()) : "",
       j["cpu_time"].get<double>(),
       j["cpu_time"].get<double>() / std::max(1., j["done"].get<double>() + j["failed"].get<double>()));
+  if (const auto told = without_contact_text(j); !told.empty()) text += told + "\n";
   if (j.contains("fit")) return text + fit_text(j["fit"]);
   if (j.contains("minimise")) return text + minimise_text(j["minimise"]);
   for (const auto& limit : j["limits"]) {
