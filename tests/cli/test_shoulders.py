@@ -64,6 +64,8 @@ class Shoulders(ProgramTest):
         summary = self.drop("out")["bearings"]["TB2"]["axial"]
         self.succeed("report", "out")
         data = page_data((self.folder / "out/report.html").read_text())
+        drops = next(row for row in data["damage"] if row["meaning"] == "TB2: allowed number of such drops")
+        self.assertEqual((drops["value"], drops["usage"], drops["state"]), ("—", "—", "unknown"), "neither wear nor, without C, fatigue was assessed")
         charts = {chart["id"]: {line["name"]: line["y"] for line in chart["lines"]} for chart in data["charts"]}
         self.assertEqual(list(charts["axial-force"]), ["TB1", "TB2", "TB2 shoulders"])
         self.assertEqual(set(charts["axial-position"]), {f"{name} {part}" for name in ("TB1", "TB2") for part in ("rotor", "ring")})

@@ -145,6 +145,8 @@ class Commands(PackageTest):
         self.assertTrue(any(abs(time - 5e-3) < 1e-9 for time in times), times)
         memory = rd.compare(rd.Case(SETTLING, overrides).run())
         self.assertEqual(memory["in_short"], here["in_short"])
+        with self.assertRaisesRegex(rd.InputError, "tolerance: must be a text with its unit.*'5 %'.*0.05"):
+            rd.compare(result, tolerance=0.05)
         alone = rd.Case(SETTLING, {"run.end_time": "5 ms"}).run()
         with self.assertRaises(rd.InputError):
             rd.compare(alone)

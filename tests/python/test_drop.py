@@ -133,6 +133,15 @@ class Drop(PackageTest):
         with self.assertRaises(ValueError):
             values[0] = 1.0
 
+    def test_a_result_is_pickled_where_it_has_files(self):
+        case = rd.Case(SETTLING, {"run.end_time": "8 ms"})
+        result = case.run(self.folder / "out")
+        again = pickle.loads(pickle.dumps(result))
+        self.assertEqual((again.summary, again.completed, again.notes, again.case.text), (result.summary, True, result.notes, case.text))
+        self.assertTrue(again.series.identical(result.series))
+        with self.assertRaisesRegex(TypeError, "in memory cannot be pickled.*result.summary"):
+            pickle.dumps(case.run())
+
     def test_a_case_is_pickled_and_varied(self):
         case = rd.Case(SETTLING, SHORT)
         again = pickle.loads(pickle.dumps(case))

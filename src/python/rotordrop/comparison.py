@@ -6,6 +6,7 @@ import typing
 from collections.abc import Sequence
 
 from . import _core
+from .errors import refused
 from .result import Result
 from .units import each_si
 
@@ -31,5 +32,18 @@ def compare(
 
     "in_short" and "verdict" are sentences. InputError if there is nothing to compare, such as series that were not kept.
     """
+    bounds = (
+        _bound(tolerance, "tolerance", "'5 %' of the rise or '0.5 K'"),
+        _bound(floor, "floor", "'10 mK'"),
+        _bound(growth_tolerance, "growth_tolerance", "'0.1 um'"),
+        _bound(band_length, "band_length", "'5 mm'"),
+    )
     times = None if instants is None else each_si(instants, "s", "instants")
-    return _core.compare(drop.recorded, None if against is None else against.recorded, tolerance, floor, growth_tolerance, band_length, times)
+    return _core.compare(drop.recorded, None if against is None else against.recorded, *bounds, times)
+
+
+def _bound(given: str, name: str, allowed: str) -> str:
+    """A text, as given: a bare number could be a part, per cent or SI."""
+    if not isinstance(given, str):
+        raise refused(name, f"must be a text with its unit, such as {allowed}, and is {given!r}")
+    return given

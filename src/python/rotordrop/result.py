@@ -66,6 +66,15 @@ class Result:
         where = f"in {self.directory}" if self.directory else "in memory"
         return f"<rotordrop.Result of {self.recorded.case_name or 'a case'} {where}: {len(self.recorded.datasets)} series{'' if self.completed else ', not completed'}>"
 
+    def __reduce__(self) -> tuple[typing.Any, ...]:
+        """Pickled is where the files are: they are read again. TypeError for a drop in memory."""
+        if self.directory is None:
+            raise TypeError(
+                "a drop in memory cannot be pickled: return `result.summary` or `result.series` from a process, run the drop in a directory, case.run(directory), "
+                "or run drops in threads, which do not wait for each other"
+            )
+        return _read_again, (self.directory, self.case, self.notes)
+
     @property
     def summary(self) -> dict[str, typing.Any]:
         """Scalars of the drop, as in summary.json (docs/reference/results.md): `summary["bearings"]["TB1"]["peak_contact_force"]` [N].
@@ -188,6 +197,12 @@ class Result:
 def read(directory: str | os.PathLike[str]) -> Result:
     """The result that `rotordrop run` or `case.run(directory)` wrote, also of a run that goes on or was killed. InputError if the directory holds none."""
     return Result(None, directory=pathlib.Path(directory))
+
+
+def _read_again(directory: pathlib.Path, case: Case | None, notes: tuple[str, ...]) -> Result:
+    result = Result(None, case, directory)
+    result.notes = notes
+    return result
 
 
 def _read_summary(file: pathlib.Path) -> dict[str, typing.Any]:

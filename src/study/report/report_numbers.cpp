@@ -128,14 +128,14 @@ Json report_damage(const Json& summary) {
     add("contact fatigue per drop, share of the life L10", "/fatigue/share", "≤ 1", number_at(d, "/fatigue/share"),
         basis(1));
     add("wear per drop, share of the permitted depth", "/wear_share", "≤ 1", number_at(d, "/wear_share"), basis(2));
+    const bool is_whole = !d.at("fatigue").is_null() && !d.at("wear_share").is_null();
     const std::string governed =
         d.at("governed_by") == "nothing" ? "" : ", by " + d.at("governed_by").get<std::string>();
     add("allowed number of such drops" + governed, "/allowed_drops", "≥ 1",
-        std::isnan(drops) ? without_value
+        std::isnan(drops) ? (is_whole ? without_value : std::nan(""))
         : drops > 0.      ? 1. / drops
                           : std::nan(""),
         nullptr);
-    const bool is_whole = !d.at("fatigue").is_null() && !d.at("wear_share").is_null();
     if (drops == 0.)
       rows.back()["state"] = "warning";
     else if (!is_whole)
