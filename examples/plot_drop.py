@@ -13,6 +13,7 @@ import argparse
 import json
 import multiprocessing
 import pathlib
+import re
 import sys
 
 try:
@@ -80,7 +81,8 @@ class Results:
 
     def _names(self, group):
         node = self.file.get(group)
-        return sorted(node) if isinstance(node, h5py.Group) else []
+        # TB2 before TB10.
+        return sorted(node, key=lambda name: [(word.isdigit(), int(word) if word.isdigit() else word) for word in re.split(r"(\d+)", name) if word]) if isinstance(node, h5py.Group) else []
 
     @property
     def bearings(self):
@@ -173,7 +175,12 @@ def legend(axes, **options):
 
 
 def legend_above(axes, columns):
-    legend(axes, loc="lower right", bbox_to_anchor=(1, 1), ncol=columns, borderaxespad=0.2)
+    """Beside the title; what does not fit into a row goes into further ones, above which the title stands."""
+    in_row = min(columns, 6)
+    legend(axes, loc="lower right", bbox_to_anchor=(1, 1), ncol=in_row, borderaxespad=0.2)
+    rows = -(-columns // in_row)
+    if rows > 1:
+        axes.set_title(axes.get_title(loc="left"), pad=14 * rows + 2)
 
 
 def stand_on_zero(axes):
@@ -371,8 +378,12 @@ def orbits(case):
     bearings = case.results.bearings
     if not bearings:
         return None
-    figure, axes = plt.subplots(1, len(bearings), figsize=(3.9 * len(bearings), 4.3), squeeze=False)
-    drawn = [orbit_panel(case, a, b) for a, b in zip(axes[0], bearings)]
+    columns = min(len(bearings), 4)
+    rows = -(-len(bearings) // columns)
+    figure, axes = plt.subplots(rows, columns, figsize=(3.9 * columns, 4.3 * rows), squeeze=False)
+    drawn = [orbit_panel(case, a, b) for a, b in zip(axes.flat, bearings)]
+    for panel in axes.flat[len(bearings):]:
+        panel.set_visible(False)
     figure.supxlabel("View along +x: positive spin is clockwise. Pale = early, dark = late.", fontsize=7.5, color="#777777")
     return finished(figure, any(drawn))
 

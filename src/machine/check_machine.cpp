@@ -7,6 +7,7 @@
 #include <cctype>
 #include <cmath>
 #include <map>
+#include <set>
 
 #include "base/parameters/suggestion.h"
 #include "bearing/touchdown_checks.h"
@@ -25,6 +26,13 @@ void check_name(const std::string& name, const std::string& what, const SourcePo
   });
   if (!is_good)
     faults.add(where, fmt::format("{} cannot be called \"{}\".", what, name), "Use letters, digits, _ and -.");
+  // Beside /ledger/NAME of bearings stand the machine's own ledgers (machine/machine.cpp).
+  static const std::set<std::string> ledgers = {"rotor_damping", "unbalance_work", "drive_work", "windage",
+                                                "heat_lost"};
+  if (ledgers.contains(name) || name.ends_with("_heat_lost"))
+    faults.add(where,
+               fmt::format("{} cannot be called \"{}\": in results.h5 that is a ledger of the machine.", what, name),
+               "Choose another name.");
 }
 
 void check_driver(const ThermalParameters& t, const Node& table, Faults& faults) {

@@ -183,6 +183,8 @@ GEOMETRY_OF_BEARINGS = [
     Fault("a thermal node that hides others", '[thermal]\nnode = [{ name = »"TB1", capacity = 1 }]', ('cannot be called "TB1"', "part of another node's name")),
     Fault("massless thermal nodes joined to each other only", '[thermal]\nnode = [{ name = "m", capacity = »0 }, { name = "n", capacity = »0 }]\n'
           'resistor = [{ between = ["m", "n"], resistance = 1 }]', ('"m" has no capacity', "no resistor leads from it")),
+    *(Fault(f"a bearing called as the ledger {name}", f'[bearings.»{name}]\ntype = "linear"\nnode = 5\nstiffness = [[1e6, 0], [0, 1e6]]', (f'a bearing cannot be called "{name}"', "ledger of the machine", "another name"))
+      for name in ("rotor_damping", "unbalance_work", "drive_work", "windage", "heat_lost", "lumped_heat_lost")),
     Fault("a bearing with a slash in its name", '[bearings.»"a/b"]\ntype = "linear"\nnode = 5\nstiffness = [[1e6, 0], [0, 1e6]]', ('a bearing cannot be called "a/b"', "letters, digits")),
 ]
 
