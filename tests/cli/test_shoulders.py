@@ -60,6 +60,21 @@ class Shoulders(ProgramTest):
             self.assertIn(word, checks[name]["text"])
         self.assertEqual(checks["TB1: wear"]["state"], "ok")
 
+    def test_a_second_opinion_is_asked_of_the_landing(self):
+        summary = self.drop("out", run__second_opinion="true")
+        force = summary["bearings"]["TB2"]["axial"]["shoulder_force"]
+        of = {result["key"]: result for result in summary["second_opinion"]["results"]}
+        landing = of["bearings.TB2.axial.shoulder_force.smallest"]
+        self.assertEqual((landing["value"], landing["unit"]), (force["smallest"], "N"))
+        self.assertTrue(landing["lowest"] <= force["smallest"] <= landing["highest"] < -1000, landing)
+        self.assertTrue(0 < landing["by_finer_steps"] < 0.05, landing)
+        self.assertNotIn("bearings.TB1.axial.shoulder_force.smallest", of, "it has no shoulders")
+        # Where the bores' first impacts are over before the rotor lands, finer steps have no landing to compare.
+        early = self.drop("early", run__second_opinion="true", bearings__TB2__shoulders__gap_plus_x="0.6 mm", options=("--set", 'rotor.initial_offset=["-249 um", 0]'))
+        self.assertLess(early["second_opinion"]["first_impacts_until"], early["bearings"]["TB2"]["axial"]["first_shoulder_contact_time"])
+        landing = next(result for result in early["second_opinion"]["results"] if result["key"] == "bearings.TB2.axial.shoulder_force.smallest")
+        self.assertIsNone(landing["by_finer_steps"])
+
     def test_the_report_shows_what_happens_along_the_axis(self):
         summary = self.drop("out")["bearings"]["TB2"]["axial"]
         self.succeed("report", "out")
