@@ -147,6 +147,24 @@ bool is_without_contact(const std::vector<std::pair<std::string, double>>& numbe
   return is_told;
 }
 
+bool is_of_pressure(const std::string& name) {
+  return name.starts_with("bearings.") &&
+         (name.ends_with(".largest_contact_pressure") || name.ends_with(".static_safety"));
+}
+
+bool tells_truncation(const std::string& name) {
+  return name.starts_with("bearings.") && name.ends_with(".truncation");
+}
+
+bool is_void(const std::string& name, const std::vector<std::pair<std::string, double>>& numbers) {
+  if (!is_of_pressure(name)) return false;
+  const bool is_of_row = name.find("].") != std::string::npos;
+  const std::string of = name.substr(0, (is_of_row ? name.rfind('.') : name.find('.', name.find('.') + 1)) + 1);
+  return std::any_of(numbers.begin(), numbers.end(), [&](const auto& number) {
+    return number.second > 0. && number.first.starts_with(of) && tells_truncation(number.first);
+  });
+}
+
 std::string advice_on_result(const std::string& name, const std::vector<std::string>& names) {
   constexpr std::size_t most_shown = 6;
   std::vector<std::string> of_any;
@@ -201,13 +219,16 @@ Json assessed(const std::vector<Limit>& limits, const std::vector<std::pair<std:
     for (const bool is_max : {true, false}) {
       const auto& bound = is_max ? limit.max : limit.min;
       if (!bound) continue;
+      const bool is_met = is_max ? value <= *bound : value >= *bound;
+      // A void pressure that is too high is so all the more.
+      const bool is_judged = is_known && (!is_met || !is_void(limit.pattern, numbers));
       list.push_back({{"key", limit.pattern},
                       {"value", json_number(value)},
                       {"limit", *bound},
                       {"kind", is_max ? "max" : "min"},
                       {"unit", meaning_of(limit.pattern).unit},
                       {"usage", usage(value, *bound, is_max)},
-                      {"accepted", is_known ? Json(is_max ? value <= *bound : value >= *bound) : Json(nullptr)}});
+                      {"accepted", is_judged ? Json(is_met) : Json(nullptr)}});
       if (std::isfinite(low) && std::isfinite(high)) list.back().update({{"low", low}, {"high", high}});
     }
   }

@@ -28,6 +28,14 @@ bool tells_contact(const std::string& name);
 /// Whether a drop ended before the rotor touched anything, a bearing or a contact at a probe, by those of its numbers that tell; no if none does.
 bool is_without_contact(const std::vector<std::pair<std::string, double>>& numbers);
 
+/// Whether a result is a pressure of balls or their static safety, of a bearing or one of its rows; also of a pattern.
+bool is_of_pressure(const std::string& name);
+/// Whether a result tells by how much contact ellipses reach over their raceway's edge.
+bool tells_truncation(const std::string& name);
+/// Whether a pressure or static safety is void since contact ellipses reach over the raceway's edge, by those of the drop's numbers that tell. The
+/// pressure is higher then and the safety lower.
+bool is_void(const std::string& name, const std::vector<std::pair<std::string, double>>& numbers);
+
 /// `limits` of summary.json. Of a drop without contact nothing is assessed: it has met nothing. @param limits  resolved
 /// @param is_complete  of a run that was interrupted nothing is assessed: it may still exceed a limit, or come back below
 nlohmann::ordered_json assessed(const std::vector<Limit>& limits,

@@ -1,5 +1,6 @@
 """Damage per drop: static safety, contact fatigue and wear of each bearing, and the allowed number of drops, computed here a second time from the series."""
 
+import json
 import math
 import signal
 import sys
@@ -10,7 +11,7 @@ import h5py
 import numpy as np
 
 sys.path.insert(0, __file__.rpartition("/")[0])
-from program import ProgramTest, page_data, settings, start  # noqa: E402
+from program import PARAMS, ProgramTest, page_data, settings, start  # noqa: E402
 
 RATED = settings(bearings__TB1__C="39.7 kN", bearings__TB2__C="33 kN", run__end_time="30 ms", output__interval="5 us", output__detail_interval="5 us")
 
@@ -143,6 +144,47 @@ class Damage(ProgramTest):
         self.succeed("report", "out")
         rows = {row["meaning"]: row for row in page_data((self.folder / "out/report.html").read_text())["damage"]}
         self.assertEqual(rows["TB1: allowed number of such drops, by wear"]["state"], "unknown")
+
+    def test_a_void_pressure_meets_no_limit(self):
+        """Ellipses that reach over the raceway's edge press harder than Hertz' formula says: what it finds too hard is too hard, what it does not is not known."""
+        self.write("thrust.toml", f'''base = "{PARAMS / 'neisi2019-thrust.toml'}"
+run.end_time = "14 ms"
+rotor.axial_force = [["0 ms", "4 kN"]]
+bearings.TB2.C = "51.2 kN"
+[limits]
+"bearings.TB2.static_safety" = {{ min = 1.2 }}
+"bearings.TB2.rows[0].static_safety" = {{ min = 1.2 }}
+"bearings.TB2.rows[1].static_safety" = {{ min = 1e3 }}
+"bearings.TB2.rows[1].largest_contact_pressure" = {{ max = "4.2 GPa" }}
+"bearings.TB2.damage.static_safety" = {{ min = 1.2 }}
+"bearings.TB2.damage.allowed_drops" = {{ min = 1 }}
+"bearings.TB1.static_safety" = {{ min = 1.2 }}
+''')
+        done = self.succeed("run", "thrust.toml", "-o", "out")
+        summary = self.summary()
+        pair = summary["bearings"]["TB2"]
+        self.assertEqual([row["truncation"] > 0 for row in pair["rows"]], [False, True])
+        damage = pair["damage"]
+        self.assertIs(damage["pressure_is_void"], True)
+        self.assertEqual((damage["allowed_drops"], damage["governed_by"]), (None, "nothing"))
+        self.assertIn("void: contact ellipses of row 2 reach over", damage["basis"][0])
+        self.assertRegex(done.stdout, r"static safety below [\d.]+ \(ellipses over the edge\).*allowed drops: not assessed")
+        verdicts = {limit["key"]: limit["accepted"] for limit in summary["limits"]}
+        self.assertEqual(verdicts, {"bearings.TB2.static_safety": None, "bearings.TB2.rows[0].static_safety": True, "bearings.TB2.rows[1].static_safety": False,
+                                    "bearings.TB2.rows[1].largest_contact_pressure": None, "bearings.TB2.damage.static_safety": None,
+                                    "bearings.TB2.damage.allowed_drops": None, "bearings.TB1.static_safety": True})
+        self.assertIs(summary["bearings"]["TB1"]["damage"]["pressure_is_void"], False)
+        self.succeed("report", "out")
+        rows = {row["meaning"]: row for row in page_data((self.folder / "out/report.html").read_text())["damage"]}
+        self.assertEqual([rows[f"TB2: {what}"]["state"] for what in ("static safety of the worst ball", "allowed number of such drops")], ["unknown", "unknown"])
+        # A study counts as the run does, also where it keeps nothing else.
+        self.write("s.toml", 'case = "thrust.toml"\n[vary]\ncontact.air_gap = { values = ["250 um"] }\n[design]\nkind = "list"\n[keep]\nresults = ["bearings.TB1.friction_heat"]\n')
+        self.succeed("study", "s.toml", "-o", "study")
+        counted = {one["result"]: (one["n"], one["broken"], one["undefined"]) for one in json.loads((self.folder / "study/study.json").read_text())["limits"]}
+        self.assertEqual(counted, {key: (0, 0, 1) if verdict is None else (1, int(not verdict), 0) for key, verdict in verdicts.items()})
+        # Enough pressure to be sure of the worst.
+        self.succeed("run", "thrust.toml", "-o", "strict", *settings(bearings__TB2__required_static_safety=1e3))
+        self.assertEqual(self.summary("strict")["bearings"]["TB2"]["damage"]["allowed_drops"], 0)
 
     def test_limits_know_it(self):
         case = self.case("[limits]\nbearings.TB1.damage.allowed_drops.min = 20\nbearings.TB2.damage.fatigue.share.max = 1e-3\n")

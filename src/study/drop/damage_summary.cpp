@@ -1,6 +1,7 @@
 #include "study/drop/damage_summary.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -57,12 +58,21 @@ Json not_assessed(const std::optional<FatigueShare>& fatigue, const TouchdownPar
   }
   return {{"assessed", false},
           {"static_safety", nullptr},
+          {"pressure_is_void", nullptr},
           {"required_static_safety", p.required_static_safety},
           {"fatigue", shares},
           {"wear_share", nullptr},
           {"allowed_drops", nullptr},
           {"governed_by", "nothing"},
           {"basis", {"static safety" + why, "contact fatigue" + why, "wear" + why}}};
+}
+
+/// Numbers of the rows whose contact ellipses reached over the raceway's edge.
+std::vector<std::size_t> rows_over_the_edge(const BearingSummary& b) {
+  std::vector<std::size_t> rows;
+  for (std::size_t row = 0; row < b.n_rows; ++row)
+    if (b.scalars.row_truncation[row].largest > 0.) rows.push_back(row + 1);
+  return rows;
 }
 
 }  // namespace
@@ -78,20 +88,28 @@ Json damage_json(const BearingSummary& b, const std::optional<FatigueShare>& fat
   const bool is_on_shoulder = std::isfinite(b.scalars.first_shoulder_contact_time);
   const bool has_wear = b.local && !(is_on_shoulder && wear_share == 0.);
   const bool is_safe = safety >= p.required_static_safety;
+  // Where ellipses reach over the edge the safety is lower: enough of it is not known, too little is.
+  const auto edge = rows_over_the_edge(b);
+  const bool is_unknown = is_safe && !edge.empty();
   Json j;
   j["assessed"] = true;
   j["static_safety"] = json_number(safety);
+  j["pressure_is_void"] = !edge.empty();
   j["required_static_safety"] = p.required_static_safety;
   j["fatigue"] = fatigue ? fatigue_json(*fatigue) : Json(nullptr);
   j["wear_share"] = has_wear ? Json(wear_share) : Json(nullptr);
-  j["allowed_drops"] = is_safe ? drops_of(std::max(fatigue_share, wear_share)) : Json(0);
+  j["allowed_drops"] = is_unknown ? Json(nullptr) : is_safe ? drops_of(std::max(fatigue_share, wear_share)) : Json(0);
   j["governed_by"] = !is_safe                       ? Json("static safety")
                      : j["allowed_drops"].is_null() ? Json("nothing")
                      : wear_share >= fatigue_share  ? Json("wear")
                                                     : Json("fatigue");
   j["basis"] = {fmt::format("static safety: (4.2 GPa over the largest contact pressure of a ball) cubed, ISO 76; at "
-                            "least {:.4g} required",
-                            p.required_static_safety),
+                            "least {:.4g} required{}",
+                            p.required_static_safety,
+                            edge.empty() ? ""
+                                         : fmt::format("; void: contact ellipses of row {} reach over the raceway's "
+                                                       "edge, where the pressure is higher",
+                                                       fmt::join(edge, " and "))),
                 fatigue_basis(fatigue),
                 has_wear ? fmt::format("wear: Archard, until contact.wear_depth_limit = {:.4g} um, every drop at the "
                                        "same place{}",
@@ -104,18 +122,25 @@ Json damage_json(const BearingSummary& b, const std::optional<FatigueShare>& fat
 
 bool is_assessed(const Json& d) { return d.value("assessed", true); }
 
+// Summaries of earlier versions do not have it.
+bool is_pressure_void(const Json& d) { return d.contains("pressure_is_void") && d["pressure_is_void"] == true; }
+
 std::string damage_text(const Json& d, std::size_t indent) {
   if (!is_assessed(d))
     return fmt::format("{:{}}damage per drop: not assessed, the rotor did not touch the bearing\n", "", indent);
   std::string text = fmt::format("{:{}}damage per drop: static safety ", "", indent);
-  text += d["static_safety"].is_null() ? "unloaded" : fmt::format("{:.3g}", d["static_safety"].get<double>());
+  const bool is_void = is_pressure_void(d);
+  text += d["static_safety"].is_null()
+              ? "unloaded"
+              : fmt::format("{}{:.3g}{}", is_void ? "below " : "", d["static_safety"].get<double>(),
+                            is_void ? " (ellipses over the edge)" : "");
   text += d["fatigue"].is_null() ? ", fatigue not assessed (no C)"
                                  : fmt::format(", fatigue {:.2g} of L10", d["fatigue"]["share"].get<double>());
   text += d["wear_share"].is_null() ? ", wear not assessed"
                                     : fmt::format(", wear {:.2g} of its limit", d["wear_share"].get<double>());
   const bool has_fatigue = !d["fatigue"].is_null(), has_wear = !d["wear_share"].is_null();
   if (d["allowed_drops"].is_null())
-    text += has_fatigue || has_wear ? "; allowed drops: no limit found" : "; allowed drops: not assessed";
+    text += (has_fatigue || has_wear) && !is_void ? "; allowed drops: no limit found" : "; allowed drops: not assessed";
   else
     text += fmt::format("; allowed drops: {} ({})", d["allowed_drops"].get<long long>(),
                         d["governed_by"].get<std::string>());

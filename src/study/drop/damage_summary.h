@@ -17,6 +17,8 @@ struct BearingSummary;
                                                  const TouchdownParameters& parameters);
 /// Whether a `damage` says anything: not if the rotor did not touch the bearing.
 [[nodiscard]] bool is_assessed(const nlohmann::ordered_json& damage);
+/// Whether contact ellipses reached over a raceway's edge: then the static safety is lower than a `damage` says.
+[[nodiscard]] bool is_pressure_void(const nlohmann::ordered_json& damage);
 /// Lines for the screen.
 [[nodiscard]] std::string damage_text(const nlohmann::ordered_json& damage, std::size_t indent);
 

@@ -125,10 +125,11 @@ Json report_damage(const Json& summary) {
                  drops = number_at(d, "/allowed_drops");
     add("static safety of the worst ball", "/static_safety", fmt::format("≥ {:.4g}", required),
         std::isfinite(safety) ? required / safety : without_value, basis(0));
+    if (is_pressure_void(d) && safety >= required) rows.back()["state"] = "unknown";
     add("contact fatigue per drop, share of the life L10", "/fatigue/share", "≤ 1", number_at(d, "/fatigue/share"),
         basis(1));
     add("wear per drop, share of the permitted depth", "/wear_share", "≤ 1", number_at(d, "/wear_share"), basis(2));
-    const bool is_whole = !d.at("fatigue").is_null() && !d.at("wear_share").is_null();
+    const bool is_whole = !d.at("fatigue").is_null() && !d.at("wear_share").is_null() && !is_pressure_void(d);
     const std::string governed =
         d.at("governed_by") == "nothing" ? "" : ", by " + d.at("governed_by").get<std::string>();
     add("allowed number of such drops" + governed, "/allowed_drops", "≥ 1",

@@ -93,21 +93,19 @@ Json result_summary(const Study& study, const Design& design, const ResultColumn
   return j;
 }
 
-/// [points], 1: the drop ended before the rotor touched anything.
-std::vector<char> points_without_contact(const StudyTable& table) {
-  std::vector<char> are(table.n_points, 0);
-  for (std::size_t k = 0; k < table.n_points; ++k) {
-    if (table.status[k] != PointStatus::done) continue;
-    std::vector<std::pair<std::string, double>> told;
-    for (const auto& column : table.results)
-      if (tells_contact(column.name)) told.emplace_back(column.name, column.values[k]);
-    are[k] = is_without_contact(told);
-  }
-  return are;
+/// Numbers of a drop by which it is known whether limits can be assessed; none of a drop that is not done.
+using ToldNumbers = std::vector<std::pair<std::string, double>>;
+std::vector<ToldNumbers> told_numbers(const StudyTable& table) {
+  std::vector<ToldNumbers> told(table.n_points);
+  for (const auto& column : table.results)
+    if (tells_contact(column.name) || tells_truncation(column.name))
+      for (std::size_t k = 0; k < table.n_points; ++k)
+        if (table.status[k] == PointStatus::done) told[k].emplace_back(column.name, column.values[k]);
+  return told;
 }
 
 Json limit_summary(const Study& study, const Design& design, const StudyTable& table,
-                   const std::vector<char>& is_without_contact, const Limit& limit) {
+                   const std::vector<ToldNumbers>& told, const Limit& limit) {
   Json j{{"result", limit.pattern}, {"max", json_number(limit.max)}, {"min", json_number(limit.min)}};
   const ResultColumn* column = table.find(limit.pattern);
   auto points = sample_points(study, design);
@@ -120,11 +118,11 @@ Json limit_summary(const Study& study, const Design& design, const StudyTable& t
   for (const auto k : points) {
     if (table.status[k] != PointStatus::done) continue;
     const double value = column ? column->values[k] : std::nan("");
-    if (is_without_contact[k] || !std::isfinite(value)) {
+    const bool is_broken = (limit.max && value > *limit.max) || (limit.min && value < *limit.min);
+    if (!std::isfinite(value) || is_without_contact(told[k]) || (!is_broken && is_void(limit.pattern, told[k]))) {
       ++n_undefined;
       continue;
     }
-    const bool is_broken = (limit.max && value > *limit.max) || (limit.min && value < *limit.min);
     ++n;
     broken += is_broken;
     auto& row = of_row[k / n_replicates];
@@ -338,11 +336,10 @@ Json study_summary(const Study& study, const Design& design, const StudyTable& t
   if (study.design.size) j["design"]["size"] = *study.design.size;
   j["parameters"] = Json::object();
   for (const auto& p : study.parameters) j["parameters"][p.name] = parameter_summary(p);
-  const auto are_without_contact = points_without_contact(table);
-  j["without_contact"] = std::count(are_without_contact.begin(), are_without_contact.end(), 1);
+  const auto told = told_numbers(table);
+  j["without_contact"] = std::count_if(told.begin(), told.end(), is_without_contact);
   j["limits"] = Json::array();
-  for (const auto& limit : study.limits)
-    j["limits"].push_back(limit_summary(study, design, table, are_without_contact, limit));
+  for (const auto& limit : study.limits) j["limits"].push_back(limit_summary(study, design, table, told, limit));
   if (study.fit) j["fit"] = fit_summary(study, design, table);
   if (study.minimise) j["minimise"] = minimise_summary(study, design, table);
   if (study.choice) j["choose"] = choice_summary(study, design, table);
