@@ -14,7 +14,9 @@ struct ContactStiffness {
   double from_bodies = 0;      ///< what the bodies give [N/m^n]; 0 if there is no journal
   double reference_force = 0;  ///< at which the law and the bodies have the same approach [N]
   double approach = 0;         ///< there [m]
-  double half_width = 0;       ///< of the contact there [m]
+  double half_width = 0;       ///< of the contact there, around the circumference [m]
+  double length = 0;           ///< of the contact there, along the axis [m]
+  bool is_ellipse = false;     ///< that of a crowned journal; else a rectangle
   /// Approach of the law over that of the bodies, less 1, at a fifth and at five times the reference force.
   double deviation_low = 0, deviation_high = 0;
 };

@@ -52,7 +52,8 @@ struct FreeRing {
   double polar_inertia = 0;      ///< of the ring alone, for its gyroscopic moment [kg m^2]
   double diametral_inertia = 0;  ///< [kg m^2]
   double gravity_x = 0;          ///< [m/s^2]
-  double width = 0;              ///< of the bore, on which the rotor lies [m]
+  double width = 0;              ///< from face to face [m]
+  double contact_length = 0;     ///< along the axis, on which the rotor lies [m]
   std::vector<Shoulder> shoulders;
   double shoulder_radius = 0;     ///< mean radius of the faces that touch [m]
   double shoulder_stiffness = 0;  ///< [N/m]

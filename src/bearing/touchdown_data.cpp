@@ -12,7 +12,7 @@
 
 namespace rotordrop {
 
-ShoulderCompliance shoulder_compliance(const TouchdownParameters& b, const ElasticMaterial& ring) {
+ShoulderCompliance shoulder_compliance(const TouchdownParameters& b, const TouchdownSurroundings& around) {
   const double r_1 = 0.5 * b.inner_ring_diameters[0], r_2 = 0.5 * b.inner_ring_diameters[1],
                middle = b.shoulders.radius.value_or(0.5 * (r_1 + r_2)), height = std::min(middle - r_1, r_2 - middle);
   // A shoulder at the -x face pushes the ring onto the rows that lean to +x; the other side is its mirror.
@@ -23,27 +23,30 @@ ShoulderCompliance shoulder_compliance(const TouchdownParameters& b, const Elast
       length += 0.5 * b.width + row.position;
       ++n;
     }
-  return {annulus_compliance(middle - height, middle + height, ring), sleeve_compliance(r_1, r_2, length / n, ring)};
+  return {annulus_compliance(middle - height, middle + height, around.rotor()),
+          sleeve_compliance(r_1, r_2, length / n, around.ring)};
 }
 
-double shoulder_stiffness(const TouchdownParameters& b, const ElasticMaterial& ring) {
-  return b.shoulders.stiffness ? *b.shoulders.stiffness : shoulder_compliance(b, ring).stiffness();
+double shoulder_stiffness(const TouchdownParameters& b, const TouchdownSurroundings& around) {
+  return b.shoulders.stiffness ? *b.shoulders.stiffness : shoulder_compliance(b, around).stiffness();
 }
 
 namespace {
 
-FreeRing free_ring_data(const TouchdownParameters& b, const ElasticMaterial& material, double gravity_x) {
+/// @param contact_length  along the axis
+FreeRing free_ring_data(const TouchdownParameters& b, const TouchdownSurroundings& around, double contact_length) {
   const double r_1 = 0.5 * b.inner_ring_diameters[0], r_2 = 0.5 * b.inner_ring_diameters[1];
   const double radii = b.ring_mass * (r_1 * r_1 + r_2 * r_2);
   FreeRing ring;
   ring.polar_inertia = radii / 2.;
   ring.diametral_inertia = b.ring_diametral_inertia.value_or(radii / 4. + b.ring_mass * b.width * b.width / 12.);
-  ring.gravity_x = gravity_x;
+  ring.gravity_x = around.gravity[0];
   ring.width = b.width;
+  ring.contact_length = contact_length;
   if (b.shoulders.gap_minus_x) ring.shoulders.push_back({-1., *b.shoulders.gap_minus_x});
   if (b.shoulders.gap_plus_x) ring.shoulders.push_back({1., *b.shoulders.gap_plus_x});
   ring.shoulder_radius = b.shoulders.radius.value_or(0.5 * (r_1 + r_2));
-  ring.shoulder_stiffness = shoulder_stiffness(b, material);
+  ring.shoulder_stiffness = shoulder_stiffness(b, around);
   return ring;
 }
 
@@ -109,7 +112,8 @@ TouchdownBearingData touchdown_data(const std::string& name, const TouchdownPara
   d.bore_radius = bore_radius(b, contact);
   d.air_gap = air_gap(b, contact);
   d.rotor_radius = d.bore_radius - d.air_gap;
-  d.contact = {contact_stiffness(b, contact, around).value, contact.exponent, contact.lambda};
+  const ContactStiffness bodies = contact_stiffness(b, contact, around);
+  d.contact = {bodies.value, contact.exponent, contact.lambda};
   d.friction = {contact.friction_coefficient, contact.regularisation_speed,
                 contact.static_friction_coefficient.value_or(0.), contact.stribeck_speed,
                 contact.static_friction_coefficient.has_value()};
@@ -144,7 +148,7 @@ TouchdownBearingData touchdown_data(const std::string& name, const TouchdownPara
   d.gravity_z = around.gravity[2];
   d.bending = bent_rings(b, d, around);
   set_free_cage(b, d);
-  if (b.ring_motion == RingMotion::free) d.free_ring = free_ring_data(b, around.ring, around.gravity[0]);
+  if (b.ring_motion == RingMotion::free) d.free_ring = free_ring_data(b, around, bodies.length);
   return d;
 }
 

@@ -23,6 +23,7 @@ struct TouchdownSurroundings {
   bool has_axial_motion = false;       ///< the rotor is free along its axis
   double ring_density = 0;             ///< [kg/m^3]; for rings that bend
   std::optional<JournalBody> journal;  ///< none: a solid one of the rings' material
+  [[nodiscard]] const ElasticMaterial& rotor() const { return journal ? journal->material : ring; }
 };
 
 /// What lies between a rotor that leans on a shoulder and the balls: a half space under the annulus that touches, and the ring's wall from its face to the row
@@ -31,9 +32,9 @@ struct ShoulderCompliance {
   double rotor = 0, ring = 0;
   [[nodiscard]] double stiffness() const { return 1. / (rotor + ring); }
 };
-ShoulderCompliance shoulder_compliance(const TouchdownParameters& bearing, const ElasticMaterial& ring);
+ShoulderCompliance shoulder_compliance(const TouchdownParameters& bearing, const TouchdownSurroundings& surroundings);
 /// The given one, or that of the geometry [N/m].
-double shoulder_stiffness(const TouchdownParameters& bearing, const ElasticMaterial& ring);
+double shoulder_stiffness(const TouchdownParameters& bearing, const TouchdownSurroundings& surroundings);
 
 TouchdownBearingData touchdown_data(const std::string& name, const TouchdownParameters& bearing,
                                     const ContactParameters& contact, const TouchdownSurroundings& surroundings);

@@ -153,6 +153,10 @@ void add_row_keys(Section<TouchdownParameters>& s) {
   s.text("ball", &P::ball, {.fallback = "steel", .help = "Material of the balls, a name of [materials]."});
   s.text("ring", &P::ring,
          {.fallback = "steel", .help = "Material of rings, housing and shaft lump, a name of [materials]."});
+  s.text("journal", &P::journal,
+         {.help = "Material of the rotor where it rubs in the bore, a name of [materials]: its conductivity and heat "
+                  "capacity count for local temperatures and the Jaeger share. That of `ring` if not given. Elasticity "
+                  "is that of the rotor's geometry."});
   s.choice(
       "elliptic_integrals", &P::elliptic_integrals,
       {{"fit", EllipticIntegrals::brewe_hamrock}, {"exact", EllipticIntegrals::exact}},
@@ -291,8 +295,8 @@ Section<TouchdownParameters> touchdown_section() {
              {.unit = "m",
               .range = positive(),
               .usual = between(1e-4, 1),
-              .help = "Length along the axis over which rotor and bore touch, for a contact stiffness from the bodies; "
-                      "`width` if not given."});
+              .help = "Length along the axis over which rotor and bore touch: for a contact stiffness from the bodies, "
+                      "the slices of a free ring, local temperatures and wear; `width` if not given."});
   s.quantity(
       "crown_radius", &P::crown_radius,
       {.unit = "m",

@@ -62,6 +62,7 @@ struct TouchdownParameters {
   double contact_angle = 0, radial_clearance = 0, preload = 0, row_phase = 0, cage_phase = 0;
   std::optional<double> row_spacing;
   std::string ball, ring;
+  std::optional<std::string> journal;
   double ring_mass = 0, ring_spin_inertia = 0, width = 0;
   double f1_z = 0, f1_y = 0, f2 = 0, C0 = 0;
   double required_static_safety = 1;

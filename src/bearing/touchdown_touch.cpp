@@ -72,7 +72,7 @@ TouchdownBearing::Touch TouchdownBearing::touch_of_free_ring(const SupportInput&
                                                              std::span<double> shape_forces) const {
   Touch t;
   double deepest = -std::numeric_limits<double>::infinity();
-  for (const BoreSlice& slice : bore_slices(data_.free_ring->width)) {
+  for (const BoreSlice& slice : bore_slices(data_.free_ring->contact_length)) {
     const Contact c = contact_in_slice<true>(numbers_, in, growth, y, slice, bristle_rates, shape_forces);
     t += touch_in_slice<true>(numbers_, c, slice);
     if (slice.x == 0.) t.middle = c;
@@ -140,7 +140,7 @@ double TouchdownBearing::contact_energy(const SupportInput& in, const Expansion&
     if (data_.sticking) U += slice.share * data_.sticking->energy(bristle(y, slice.number));
   };
   if (data_.free_ring)
-    for (const BoreSlice& slice : bore_slices(data_.free_ring->width)) add(slice, bodies<true>(j, y, slice.x));
+    for (const BoreSlice& slice : bore_slices(data_.free_ring->contact_length)) add(slice, bodies<true>(j, y, slice.x));
   else
     add(bore_middle, bodies<false>(j, y, 0.));
   if (!data_.free_ring) return U;

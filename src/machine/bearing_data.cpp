@@ -8,15 +8,15 @@
 #include "machine/static_growth.h"
 
 namespace rotordrop {
-namespace {
 
-/// Of a table its value at ambient, for parts without a section.
 ThermalMaterial thermal_material(const MaterialParameters& m, double ambient) {
   ThermalMaterial t{m.k, m.c, m.rho, m.alpha, m.nu};
   if (m.k_table) t.conductivity = t.conductivity_table.emplace(*m.k_table).value(ambient);
   if (m.c_table) t.heat_capacity = t.heat_capacity_table.emplace(*m.c_table).value(ambient);
   return t;
 }
+
+namespace {
 
 RowConduction row_conduction(const MachineParameters& p, const TouchdownParameters& b, const BallRowGeometry& row) {
   const auto& t = p.thermal;

@@ -9,6 +9,9 @@
 // A touchdown bearing of a case whose parameters were checked, as numbers for the parts that are made from it.
 namespace rotordrop {
 
+/// A material as parts without a section take it: of a table its value at ambient.
+ThermalMaterial thermal_material(const MaterialParameters& material, double ambient);
+
 /// What a touchdown bearing takes from the case around it.
 TouchdownSurroundings touchdown_surroundings(const MachineParameters& parameters, const TouchdownParameters& bearing);
 

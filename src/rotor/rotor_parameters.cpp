@@ -166,7 +166,8 @@ Section<RotorParameters> rotor_section() {
                   {.unit = "rad",
                    .fallback = {"0 deg", "0 deg"},
                    .help = "Angular positions of both planes' unbalances at spin angle 0, from +y towards +z. Equal: a "
-                           "static unbalance at the centre of gravity; 180 deg apart: a couple."})
+                           "static unbalance at the centre of gravity; 180 deg apart: a couple, "
+                           "and what the planes' shares differ by."})
       .function("torque", &RotorParameters::torque,
                 {.unit = "N m",
                  .argument_unit = "s",

@@ -47,6 +47,37 @@ class LocalTemperature(ProgramTest):
         self.assertEqual((b["local"]["bore_rise"], b["local"]["bore_rise_time"]), (0, None))
         self.assertEqual((b["wear"]["bore_depth"], b["wear"]["drops_until_limit"]), (0, None))
 
+    def test_half_as_long_a_contact_takes_twice_the_flux(self):
+        # The stiffness is given, so that the motion stays; a band of given length takes the same heat on half the area: all of it is linear.
+        keys = {"thermal__rub_band": "fixed", "run__end_time": "12 ms"}
+        long = self.run_and_read("a", **keys)["TB1"]
+        short = self.run_and_read("b", bearings__TB1__contact_width="10 mm", **keys)["TB1"]
+        self.assertEqual(short["peak_contact_force"], long["peak_contact_force"])
+        self.assertEqual(short["friction_heat"], long["friction_heat"])
+        for part, key in (("local", "bore_rise"), ("local", "rotor_rise"), ("wear", "bore_depth"), ("wear", "bore_mean_depth"), ("wear", "rotor_depth")):
+            self.assertAlmostEqual(short[part][key] / long[part][key], 2, delta=1e-8, msg=f"{key}: summary.json has nine digits")
+        self.assertAlmostEqual(long["wear"]["drops_until_limit"] / short["wear"]["drops_until_limit"], 2, delta=1e-8)
+        # Hertz' band grows with the root of the force over the length: the flux by sqrt(2), over a band that stays as much longer under the heat.
+        by_hertz = self.run_and_read("c", run__end_time="12 ms")["TB1"]["local"]
+        shorter = self.run_and_read("d", run__end_time="12 ms", bearings__TB1__contact_width="10 mm")["TB1"]["local"]
+        self.assertAlmostEqual(shorter["band_length_then"] / by_hertz["band_length_then"], math.sqrt(2), delta=0.05, msg="the hottest instant moves by a row or two, and the force with it")
+
+    def test_the_rotor_has_the_material_of_its_journal(self):
+        # The stiffness is given, so that the motion stays.
+        steel, poor = ("k = 70, c = 510, rho = 7800", "k = 0.007, c = 510, rho = 78")
+        rise = {}
+        for name, heat in (("ring", ""), ("steel", steel), ("poor", poor)):
+            extra = f'[bearings.TB1]\njournal = "surface"\n[materials]\nsurface = {{ E = 2.0e11, nu = 0.3, alpha = 11.8e-6, {heat} }}\n' if heat else ""
+            self.succeed("run", self.case(extra), "-o", name, *settings(run__end_time="12 ms"))
+            bearings = self.summary(name)["bearings"]
+            rise[name] = bearings["TB1"]["local"]
+            self.assertEqual(bearings["TB2"]["local"]["bore_rise"], self.summary("ring")["bearings"]["TB2"]["local"]["bore_rise"])
+        self.assertEqual(rise["steel"], rise["ring"])
+        # A surface of a thousandth of the effusivity leaves the heat to the ring.
+        self.assertGreater(rise["poor"]["share_to_ring"], 0.99)
+        self.assertLess(rise["ring"]["share_to_ring"], 0.6)
+        self.assertGreater(rise["poor"]["bore_rise"], 1.5 * rise["ring"]["bore_rise"])
+
     def test_wear_is_archards_for_all_sliding(self):
         keys = {"contact__wear_coefficient_bore": "2e-14 m2/N", "contact__wear_depth_limit": "10 um"}
         single, double = self.run_and_read("a", **keys), self.run_and_read("b", **{**keys, "contact__wear_coefficient_bore": "4e-14 m2/N"})

@@ -1,6 +1,7 @@
 """Values that are allowed, and most often a slip: a warning with its reason from every command that reads a case, a fault with --strict."""
 
 import json
+import math
 import os
 import pathlib
 import re
@@ -220,6 +221,26 @@ class Slips(ProgramTest):
         done = self.succeed("check", "reference.toml", *settings(run__end_time="3 ms"))
         self.assertIn("first touch: after about 7.14 ms, by free fall. The run ends before, at 3 ms: nothing is touched.", done.stdout)
         self.assertIn("first touch: after about 7.14 ms, by free fall\n", self.succeed("check", "reference.toml").stdout)
+
+    def test_first_touch_knows_the_rotors_damping(self):
+        # u'' + alpha u' = g from rest: u = g (t - (1 - exp(-alpha t)) / alpha) / alpha is 250 um at t.
+        for alpha in (30.0, 300.0):
+            low, high = 0.0, 1.0
+            while high - low > 1e-9:
+                t = 0.5 * (low + high)
+                low, high = (t, high) if 9.81 * (t + math.expm1(-alpha * t) / alpha) / alpha < 250e-6 else (low, t)
+            done = self.succeed("check", "reference.toml", *settings(rotor__mass_proportional_alpha=f"{alpha} 1/s"))
+            self.assertIn(f"first touch: after about {1e3 * t:.3g} ms, by free fall\n", done.stdout)
+
+    def test_a_rotor_of_another_material_than_the_ring_is_told(self):
+        rotor = json.loads((PARAMS / "neisi2019-rotor.json").read_text())
+        rotor["material"]["E"] = 1.1e11
+        self.write("rotor.json", json.dumps(rotor))
+        other = ["check", "reference.toml", "--set", 'rotor.geometry="rotor.json"']
+        told = self.succeed(*other).stderr
+        self.assertRegex(told, r'the rotor\'s surface at bearings\.TB1 has a modulus of 110 GPa, the material "steel" of its ring 200 GPa.*\n.*bearings\.TB1\.journal')
+        self.assertNotIn("surface at bearings", self.succeed(*other, "--set", "bearings.TB1.journal=steel", "--set", "bearings.TB2.journal=steel").stderr)
+        self.assertIn('Did you mean "steel"', self.call(*other, "--set", "bearings.TB1.journal=stel").stderr)
 
     def test_every_command_warns(self):
         slip = settings(bearings__TB1__f2="25")

@@ -15,6 +15,8 @@ import unittest
 
 import h5py
 import numpy
+from scipy.optimize import brentq
+from scipy.special import ellipe, ellipk
 
 sys.path.insert(0, __file__.rpartition("/")[0])
 from program import PARAMS, ProgramTest  # noqa: E402
@@ -213,6 +215,32 @@ class ContactStiffness(ProgramTest):
             values.append(float(re.search(r"TB1: contact stiffness ([\d.e+]+)", done.stdout)[1]))
         self.assertEqual(values[0], values[1], "a crown of a kilometre is a cylinder")
         self.assertLess(values[2], 0.9 * values[0])
+
+    def test_a_crown_touches_in_hertz_ellipse(self):
+        """Johnson (1985), eqs. 4.26 to 4.28, by the elliptic integrals of scipy: a crown of 200 mm in a bore of 70 mm with 250 um of air gap under a tenth of C0."""
+        bore, gap, crown, force, E, nu = 35e-3, 250e-6, 0.2, 3.1e3, 2e11, 0.3
+        across = bore * (bore - gap) / gap
+        A, B = 0.5 / across, 0.5 / crown
+        m = brentq(lambda m: B / A - (ellipe(m) / (1 - m) - ellipk(m)) / (ellipk(m) - ellipe(m)), 1e-9, 1 - 1e-9)
+        around = (3 * force * (ellipk(m) - ellipe(m)) / (2 * math.pi * E / (2 * (1 - nu**2)) * m * A)) ** (1 / 3)
+        along = around * math.sqrt(1 - m)
+        done = self.succeed("check", self.case('[bearings.TB1]\ncrown_radius = "200 mm"'))
+        found = re.search(r"TB1: contact stiffness .* under 3100 N, in a contact ([\d.]+) mm wide and ([\d.]+) mm long along the axis", done.stdout)
+        self.assertTrue(found, done.stdout)
+        self.assertAlmostEqual(float(found[1]), 2e3 * around, delta=0.06, msg="mm, printed to three digits")
+        self.assertAlmostEqual(float(found[2]), 2e3 * along, delta=0.006, msg="mm")
+
+    def test_a_free_ring_is_pressed_where_the_contact_is(self):
+        """A rotor that is bent under 20 kN tilts in its free rings, and presses their ends: the less a contact reaches along the axis, the smaller the moment."""
+        moment = {}
+        for length in ("32 mm", "3.2 mm"):
+            self.write("free.toml", f'base = "{PARAMS / "neisi2019-thrust.toml"}"\nbearings.TB1.contact_width = "{length}"\nbearings.TB2.contact_width = "{length}"\n'
+                       'statics.loads = [{ node = 16, force = ["-20 kN", "0 N"] }]\n')
+            report = json.loads(self.succeed("statics", "free.toml", "--json").stdout)
+            moment[length] = report["shaft"]["supports"]["TB2"]["moment_on_rotor"]
+        largest = {length: max(abs(value) for value in of.values()) for length, of in moment.items()}
+        self.assertGreater(largest["32 mm"], 1, "N m")
+        self.assertLess(largest["3.2 mm"], 0.2 * largest["32 mm"], moment)
 
 
 if __name__ == "__main__":

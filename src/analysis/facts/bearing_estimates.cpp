@@ -8,10 +8,9 @@ namespace rotordrop {
 
 BearingEstimates bearing_estimates(const MachineParameters& p, const TouchdownParameters& b) {
   const auto ratings = estimated_ratings(b.rows, b.balls_per_row, b.ball_diameter, b.contact_angle);
-  const MaterialParameters& ring = material_of(p, b.ring);
-  return {ratings.static_load, ratings.dynamic_load,
-          contact_stiffness(b, p.contact, touchdown_surroundings(p, b)).from_bodies,
-          shoulder_compliance(b, {ring.E, ring.nu}).stiffness()};
+  const auto around = touchdown_surroundings(p, b);
+  return {ratings.static_load, ratings.dynamic_load, contact_stiffness(b, p.contact, around).from_bodies,
+          shoulder_compliance(b, around).stiffness()};
 }
 
 }  // namespace rotordrop

@@ -12,10 +12,17 @@ namespace {
 /// Where a rotor that falls freely is beside one bearing.
 struct Fall {
   double y = 0, z = 0, velocity_y = 0, velocity_z = 0;  // at the start
-  double g_y = 0, g_z = 0, gap = 0;
+  double g_y = 0, g_z = 0, damping = 0, gap = 0;        // damping: over the mass [1/s]
 
+  /// Of u'' + alpha u' = g: u = v (1 - e)/alpha + g (t - (1 - e)/alpha)/alpha, e = exp(-alpha t).
+  [[nodiscard]] double way(double velocity, double g, double t) const {
+    const double x = damping * t;
+    if (x < 1e-4) return (velocity * (1. - 0.5 * x) + g * t * (0.5 - x / 6.)) * t;  // to x^2
+    const double glide = -std::expm1(-x) / damping;
+    return velocity * glide + g * (t - glide) / damping;
+  }
   [[nodiscard]] bool touches(double t) const {
-    return std::hypot(y + (velocity_y + 0.5 * g_y * t) * t, z + (velocity_z + 0.5 * g_z * t) * t) >= gap;
+    return std::hypot(y + way(velocity_y, g_y, t), z + way(velocity_z, g_z, t)) >= gap;
   }
 };
 
@@ -28,7 +35,7 @@ std::vector<Fall> falls(const MachineParameters& p) {
       const double x = p.rotor.geometry.position(b->node) - x_cg;
       all.push_back({start.y + start.theta_z * x, start.z - start.theta_y * x, start.velocity_y + start.tilt_rate_z * x,
                      start.velocity_z - start.tilt_rate_y * x, p.run.gravity[1], p.run.gravity[2],
-                     air_gap(*b, p.contact)});
+                     p.rotor.mass_proportional_alpha, air_gap(*b, p.contact)});
     }
   return all;
 }

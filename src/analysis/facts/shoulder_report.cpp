@@ -68,11 +68,11 @@ double force_by_energy(const Rows& rows, double direction, double stiffness, dou
 std::optional<ShoulderReport> shoulder_report(const MachineParameters& p, const std::string& name) {
   const auto& b = touchdown_of(p, name);
   if (!b.shoulders.any()) return std::nullopt;
-  const auto& material = material_of(p, b.ring);
-  const auto compliance = shoulder_compliance(b, {material.E, material.nu});
+  const auto around = touchdown_surroundings(p, b);
+  const auto compliance = shoulder_compliance(b, around);
   ShoulderReport report;
   report.is_given = b.shoulders.stiffness.has_value();
-  report.stiffness = shoulder_stiffness(b, {material.E, material.nu});
+  report.stiffness = shoulder_stiffness(b, around);
   report.rotor_stiffness = 1. / compliance.rotor;
   report.ring_stiffness = 1. / compliance.ring;
   const double mass = rigid_body(p.rotor.geometry).mass, weight = mass * p.run.gravity[0];

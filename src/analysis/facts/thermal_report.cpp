@@ -1,8 +1,9 @@
 #include "analysis/facts/thermal_report.h"
 
-#include <limits>
+#include <cmath>
+#include <numbers>
 
-#include "laws/hertz.h"
+#include "bearing/contact_stiffness.h"
 #include "machine/build_machine.h"
 
 namespace rotordrop {
@@ -15,15 +16,17 @@ std::vector<LumpedBody> lumped_bodies(const MachineParameters& parameters, const
 RubSurfaces rub_surfaces(const MachineParameters& parameters, const std::string& name,
                          const TouchdownParameters& bearing, double band_length) {
   const auto c = circuit_data(parameters, name, bearing);
+  const auto rotor =
+      thermal_material(material_of(parameters, bearing.journal.value_or(bearing.ring)), parameters.run.ambient);
   const double capacity = c.ring.density * c.ring.heat_capacity;
   RubSurfaces s;
   s.bore = {bore_radius(bearing, parameters.contact), c.ring.conductivity, capacity,
             0.5 * (c.inner_outside - c.inner_bore)};
   s.rotor_radius = c.journal_radius;
-  s.rotor_conductivity = c.ring.conductivity;
-  s.rotor_capacity = capacity;
+  s.rotor_conductivity = rotor.conductivity;
+  s.rotor_capacity = rotor.density * rotor.heat_capacity;
   s.half_width = 0.5 * band_length;
-  s.axial_width = c.width;
+  s.axial_width = rub_length(parameters, bearing);
   return s;
 }
 
@@ -40,11 +43,14 @@ LocalRubSettings local_rub_settings(const MachineParameters& parameters, const s
   return s;
 }
 
+double rub_length(const MachineParameters& parameters, const TouchdownParameters& bearing) {
+  const auto s = contact_stiffness(bearing, parameters.contact, touchdown_surroundings(parameters, bearing));
+  return (s.is_ellipse ? 0.25 * std::numbers::pi : 1.) * s.length;
+}
+
 double rub_half_width(const MachineParameters& parameters, const TouchdownParameters& bearing, double force) {
-  const double r_b = bore_radius(bearing, parameters.contact), gap = air_gap(bearing, parameters.contact);
-  const auto& m = material_of(parameters, bearing.ring);
-  return line_contact_half_width(force / bearing.width, r_b * (r_b - gap) / gap,
-                                 effective_modulus({m.E, m.nu}, {m.E, m.nu}));
+  const auto s = contact_stiffness(bearing, parameters.contact, touchdown_surroundings(parameters, bearing));
+  return s.half_width * std::sqrt(force / s.reference_force);
 }
 
 }  // namespace rotordrop

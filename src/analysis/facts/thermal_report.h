@@ -21,7 +21,10 @@ RubSurfaces rub_surfaces(const MachineParameters& parameters, const std::string&
 LocalRubSettings local_rub_settings(const MachineParameters& parameters, const std::string& name,
                                     const TouchdownParameters& bearing);
 
-/// Half width of the contact of rotor and bore under a force [N], as cylinders of the ring's material [m].
+/// How long rotor and bore touch along the axis [m]: contact_width. Of a crown's ellipse, under a tenth of C0, the length of the rectangle that has its area
+/// and its half width around the circumference.
+double rub_length(const MachineParameters& parameters, const TouchdownParameters& bearing);
+/// Half width of their contact around the circumference under a force [N], by Hertz [m]. That of a crown's ellipse grows by the root of the force, too: its length stays.
 double rub_half_width(const MachineParameters& parameters, const TouchdownParameters& bearing, double force);
 
 }  // namespace rotordrop

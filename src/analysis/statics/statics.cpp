@@ -195,7 +195,7 @@ std::vector<ShaftEquilibrium::Pressing> ShaftEquilibrium::pressings(const Touchd
   const Eigen::Index outer = t.offset, ring = t.offset + 2, n_inner = t.ring.n_inner();
   std::vector<BoreSlice> slices = {bore_middle};
   if (t.data.free_ring) {
-    const auto along = bore_slices(t.data.free_ring->width);
+    const auto along = bore_slices(t.data.free_ring->contact_length);
     slices.assign(along.begin(), along.end());
   }
   std::vector<Pressing> all;

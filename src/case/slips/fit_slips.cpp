@@ -7,6 +7,7 @@
 #include <tuple>
 
 #include "analysis/facts/bearing_estimates.h"
+#include "machine/bearing_data.h"
 
 namespace rotordrop {
 namespace {
@@ -54,6 +55,15 @@ void look_at_contacts(const std::string& name, const TouchdownParameters& b, con
          fmt::format("bearings.{}.contact_width is {:.4g} mm, but the bearing is {:.4g} mm wide.", name,
                      mm(*b.contact_width), mm(b.width)),
          "A bare number is in metres.");
+  // Where the rotor rubs, its elasticity is known by the geometry, its heat by a name only.
+  const auto around = touchdown_surroundings(p, b);
+  if (const double of_ring = around.ring.youngs_modulus, of_rotor = around.rotor().youngs_modulus;
+      !b.journal && std::fabs(of_rotor - of_ring) > 0.15 * of_ring)
+    warn(warnings, position_of(table_at(tree, "bearings"), name),
+         fmt::format("the rotor's surface at bearings.{} has a modulus of {:.4g} GPa, the material \"{}\" of its ring "
+                     "{:.4g} GPa: where they rub, conductivity and heat capacity of both are those of \"{}\".",
+                     name, of_rotor * 1e-9, b.ring, of_ring * 1e-9, b.ring),
+         fmt::format("Name the rotor's material by bearings.{}.journal.", name));
   if (const auto& given = b.ring_diametral_inertia;
       given && (*given < 0.3 * b.ring_spin_inertia || *given > 5. * b.ring_spin_inertia))
     warn(warnings, position_of_value(table, "ring_diametral_inertia"),

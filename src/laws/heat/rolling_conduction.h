@@ -15,7 +15,7 @@ struct ConductingBody {
 ///   g = sqrt(G0^2 + Ginf^2),   G0 = 2 pi k a / K(m), m = 1 - (b/a)^2   (at rest),
 ///   Ginf = 2.7895 e a sqrt(b U),  e = sqrt(k rho c)                    (each chord 2 y heats for 2 y / U: integral of 2 e U sqrt(t/pi)).
 /// With a = a_1 u and b = a/ellipticity: G0 = rest u, Ginf^2 = rolling U u^3.
-/// Valid for any Peclet number: exact at rest and at high speed; between, within 5.3 % of the steady field of a moving spot (round ones; 2.1 % from
+/// Valid for any Peclet number: exact at rest and at high speed; between, within 4.9 % of the steady field of a moving spot (round ones; 2.1 % from
 /// an ellipticity of 3 on; validation/rolling_conduction.py). At rest in the sense of G0 takes a^2/(k/rho c), some 10 ms.
 template <class Real>
 struct SpotConductionOf {

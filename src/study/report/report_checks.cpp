@@ -6,6 +6,8 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <numbers>
+#include <tuple>
+#include <vector>
 
 #include "analysis/drop_scalars.h"
 #include "analysis/statics/statics.h"
@@ -241,21 +243,31 @@ void check_wear(Checks& checks, const Json& summary, const std::string& name) {
 
 void check_temperatures(Checks& checks, const RecordedDrop& drop, const std::string& name,
                         const TouchdownParameters& b) {
-  double warmest = 0.;
-  const double limit = temperature_limit(drop, b.ring);
-  for (const char* node : {"inner_ring", "ball", "outer_ring"})
-    for (const ThermalKind* kind : drop.models())
-      if (const auto path = drop.node_path(*kind, name, node); drop.has(path))
-        warmest = std::max(warmest, largest_of(drop.series(path)).value);
   const std::string title = name + ": mean temperature of rings and balls";
-  if (warmest > 0. && std::isfinite(limit))
-    checks.add(
-        title, warmest < limit,
-        fmt::format("up to {:.4g} K ({}); rings of {} are dimensionally stable up to {:.0f} K ({}). Surfaces that "
-                    "rub are hotter",
-                    warmest, in_celsius(warmest), b.ring, limit, in_celsius(limit)));
-  else if (warmest > 0.)
-    checks.unknown(title, fmt::format("not assessed: materials.{} has no temperature_limit", b.ring));
+  std::string text, without_limit;
+  bool is_below = true;
+  for (const auto& [part, nodes, material] :
+       {std::tuple("rings", std::vector<std::string>{"inner_ring", "outer_ring"}, b.ring),
+        std::tuple("balls", std::vector<std::string>{"ball"}, b.ball)}) {
+    double warmest = 0.;
+    for (const auto& node : nodes)
+      for (const ThermalKind* kind : drop.models())
+        if (const auto path = drop.node_path(*kind, name, node); drop.has(path))
+          warmest = std::max(warmest, largest_of(drop.series(path)).value);
+    if (warmest == 0.) continue;
+    const double limit = temperature_limit(drop, material);
+    text += fmt::format("{}{} of {} up to {:.4g} K ({})", text.empty() ? "" : "; ", part, material, warmest,
+                        in_celsius(warmest));
+    if (std::isfinite(limit))
+      text += fmt::format(", dimensionally stable up to {:.0f} K ({})", limit, in_celsius(limit));
+    else
+      without_limit = material;
+    is_below = is_below && !(warmest >= limit);
+  }
+  if (!text.empty() && (without_limit.empty() || !is_below))
+    checks.add(title, is_below, text + ". Surfaces that rub are hotter");
+  else if (!text.empty())
+    checks.unknown(title, fmt::format("not assessed: materials.{} has no temperature_limit", without_limit));
   else
     checks.unknown(title, "not assessed: no thermal model ran");
 }

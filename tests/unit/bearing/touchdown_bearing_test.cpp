@@ -197,7 +197,7 @@ TEST(TouchdownBearing, ReportsTheDemandOfBothRingMotions) {
   const SpinningUp locked(data, 900.);
   FreeRing ring;
   ring.polar_inertia = ring.diametral_inertia = 1e-4;
-  ring.width = 0.032;
+  ring.width = ring.contact_length = 0.032;
   data.free_ring = ring;
   SpinningUp free(data, 900.);
   free.y.resize(TB::n_state_free, 0.);

@@ -31,6 +31,7 @@ TouchdownBearingData free_ring(TouchdownBearingData d) {
                          .diametral_inertia = 1.6e-4,
                          .gravity_x = 2.,
                          .width = 20e-3,
+                         .contact_length = 20e-3,
                          .shoulders = {{-1., 100 * um}, {1., 150 * um}},
                          .shoulder_radius = 37e-3,
                          .shoulder_stiffness = 5e8};

@@ -92,7 +92,7 @@ std::vector<TouchdownBearingData> bent_bearings() {
   auto d = c;
   d.name = "X pair, balls with inertia, free ring, arc";
   for (auto& r : d.rows) r.has_inertia = true;
-  d.free_ring = FreeRing{3e-4, 2e-4, 0., 32e-3, {}, 37e-3, 5e8};
+  d.free_ring = FreeRing{3e-4, 2e-4, 0., 32e-3, 32e-3, {}, 37e-3, 5e8};
   auto e = d;
   e.name = "gyroscopic moments shared, point, outer ring bends too";
   e.bending->model = RingBendingModel::point;
