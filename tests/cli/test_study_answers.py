@@ -146,6 +146,22 @@ class StudyAnswers(ProgramTest):
         self.assertNotIn("touched anything", told)
         self.assertEqual((answers["without_contact"], answers["limits"][0]["n"]), (0, 4))
 
+    def test_a_level_with_drops_without_the_result_is_not_called_smallest(self):
+        # Nothing touches within 8 ms behind 400 um; at 20 ms every gap is crossed.
+        text = ('case = "drop.toml"\n[vary]\ncontact.air_gap = { values = ["200 um", "400 um"] }\n[design]\nkind = "grid"\n'
+                '[choose]\nparameter = "contact.air_gap"\nresult = "bearings.TB1.first_contact_time"\nquantile = 0.5\n')
+        told, answers = self.study(text, "out", "--set", 'run.end_time="8 ms"')
+        near, far = answers["choose"]["levels"]
+        self.assertEqual((near["n"], near["without_result"], far["n"], far["without_result"]), (1, 0, 0, 1))
+        self.assertEqual(answers["choose"]["best"]["value"], near["value"])
+        self.assertRegex(told, r"0\.0004 m: +none, 1 without this result")
+        self.assertRegex(told, r"1 drops +<- smallest")
+        far_only = text.replace('"200 um", "400 um"', '"400 um", "500 um"')
+        told, answers = self.study(far_only, "none", "--set", 'run.end_time="8 ms"')
+        self.assertIsNone(answers["choose"]["best"])
+        self.assertIn("No level is called smallest", told)
+        self.succeed("study", "report", "none")
+
     def test_a_formula_feeds_a_key_of_whole_numbers(self):
         self.write("s.toml", VARY + 'bearings.TB1.balls_per_row = { formula = "14 + 0 * contact.air_gap" }\n[design]\nsize = 2\n')
         self.succeed("study", "s.toml", "--dry-run")

@@ -193,7 +193,9 @@ Json choice_summary(const Study& study, const Design& design, const StudyTable& 
       one["mean"] = mean_of(level.results);
       one["smallest"] = level.results.front();
       one["largest"] = level.results.back();
-      if (!best || q.value < j["levels"][*best]["quantile"].get<double>()) best = j["levels"].size();
+      // Of drops without the result nobody knows whether they would be better or worse.
+      if (level.n_failed == 0 && (!best || q.value < j["levels"][*best]["quantile"].get<double>()))
+        best = j["levels"].size();
     }
     j["levels"].push_back(std::move(one));
   }

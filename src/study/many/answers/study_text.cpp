@@ -32,16 +32,22 @@ std::string choice_text(const Json& choice) {
   std::string text = fmt::format("{} quantile of {} by {}:\n", quantile, choice["result"].get<std::string>(),
                                  choice["parameter"].get<std::string>());
   for (const auto& level : choice["levels"]) {
-    if (!level.contains("quantile")) continue;
+    const auto n_without = level["without_result"].get<std::size_t>();
+    const std::string without = n_without > 0 ? fmt::format(", {} without this result", n_without) : std::string();
+    if (!level.contains("quantile")) {
+      text += fmt::format("  {:>16}: {:>12}{}\n", number(level["value"], own), "none", without);
+      continue;
+    }
     const std::string interval =
         level["low"].is_number() || level["high"].is_number()
             ? fmt::format(", 95 % interval {} to {}", number(level["low"], ""), number(level["high"], unit))
             : std::string();
-    text +=
-        fmt::format("  {:>16}: {:>12}{}; mean {}, {} drops{}\n", number(level["value"], own),
-                    number(level["quantile"], unit), interval, number(level["mean"], unit),
-                    level["n"].get<std::size_t>(), level["value"] == choice["best"]["value"] ? "  <- smallest" : "");
+    text += fmt::format("  {:>16}: {:>12}{}; mean {}, {} drops{}{}\n", number(level["value"], own),
+                        number(level["quantile"], unit), interval, number(level["mean"], unit),
+                        level["n"].get<std::size_t>(), without,
+                        choice["best"].is_object() && level["value"] == choice["best"]["value"] ? "  <- smallest" : "");
   }
+  if (choice["best"].is_null()) text += "  No level is called smallest: each has drops without this result.\n";
   return text;
 }
 
