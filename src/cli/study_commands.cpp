@@ -154,6 +154,7 @@ int study_command_of(const StudyCommand& command, Ranks* ranks) {
   const StudyOutcome outcome = study.is_search() ? run_search(study, options) : run_study(study, design, options);
   if (ranks) ranks->leave(outcome.is_anyone_lost);
   if (is_shown) fmt::print(stderr, "\n");
+  for (const auto& note : outcome.notes) options.tell(note);
   if (!outcome.is_complete) {
     if (outcome.is_stopped) {
       fmt::print(stderr,

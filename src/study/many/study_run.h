@@ -36,12 +36,13 @@ struct StudyOptions {
 
 struct StudyOutcome {
   std::size_t n_points = 0, done = 0, failed = 0, missing = 0;
-  bool is_complete = false;     ///< every point of this run (or shard) is finished
-  bool is_stopped = false;      ///< by the policy after a failure
-  bool is_anyone_lost = false;  ///< a rank fell silent
-  double cpu_time = 0;          ///< of all drops [s]
-  double wall_time = 0;         ///< of this run [s]
-  double idle_share = 0;        ///< of the workers' time, waiting for the last drops
+  bool is_complete = false;        ///< every point of this run (or shard) is finished
+  bool is_stopped = false;         ///< by the policy after a failure
+  bool is_anyone_lost = false;     ///< a rank fell silent
+  double cpu_time = 0;             ///< of all drops [s]
+  double wall_time = 0;            ///< of this run [s]
+  double idle_share = 0;           ///< of the workers' time, waiting for the last drops
+  std::vector<std::string> notes;  ///< what a user should know of it
 };
 
 /// Overrides of the study and of a point.

@@ -3,6 +3,7 @@
 //   valley     Rosenbrock's (1 - 2x)^2 + 100 (2y - 4x^2)^2: 0 at 2x = 2y = 1
 //   waves      Rastrigin's of 5x - 1, 5y + 1: 0 at x = 0.2, y = -0.2, with a hundred other minima, the next ones 1
 //   spread     (x - u)^2 with u uniform on (0, 1): the mean over u is smallest at 1/2, where it is the variance 1/12
+//   slope      x + y: smallest at the corner of the box x = y = -1
 //   rough      (x - 0.3)^2 + 0.1 n, n of +-1 by the replicate's height: chaos whose mean is known
 #include <gtest/gtest.h>
 
@@ -10,6 +11,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <numbers>
+#include <utility>
 
 #include "search_test.h"
 #include "study/many/random_bits.h"
@@ -32,6 +34,7 @@ PointResult closed_forms(const PointRequest& request) {
                     {"x_plus_y", x + y},
                     {"valley", std::pow(1. - 2. * x, 2) + 100. * std::pow(2. * y - 4. * x * x, 2)},
                     {"waves", wave(5. * x - 1.) + wave(5. * y + 1.)},
+                    {"slope", x + y},
                     {"spread", std::pow(x - u, 2)},
                     {"rough", std::pow(x - 0.3, 2) + 0.1 * n}};
   return result;
@@ -100,6 +103,38 @@ TEST_F(Minimise, FindsTheLowestOfManyMinimaBySeveralMethods) {
     EXPECT_NEAR(best(j, 0), 0.2, 0.02) << method;
     EXPECT_NEAR(best(j, 1), -0.2, 0.02) << method;
   }
+}
+
+// Points of a method that have all met in a corner come back to it: known places cost nothing and count as no evaluation.
+TEST_F(Minimise, EndsWhereTheMinimumLiesInACorner) {
+  for (const std::string method : {"cobyla", "bobyqa", "subplex", "crs", "isres", "direct"}) {
+    const auto j =
+        run(std::string(both) + "[minimise]\nresult = \"slope\"\nevaluations = 500\nmethod = \"" + method + "\"\n",
+            closed_forms, method);
+    EXPECT_NEAR(best(j, 0) + best(j, 1), -2., 0.1) << method;  // evolution comes within a fortieth of the ranges
+    EXPECT_EQ(notes_.size(), method == "crs" ? 1U : 0U) << method;
+  }
+}
+
+TEST_F(Minimise, StopsOnceAskedAlsoWhereTheMethodComesBackToKnownPlaces) {
+  int n_drops = 0;
+  const auto counts = [&](const PointRequest& request) {
+    ++n_drops;
+    return closed_forms(request);
+  };
+  const std::string text = std::string(both) + "[minimise]\nresult = \"slope\"\nevaluations = 500\nmethod = \"crs\"\n";
+  run(text, counts, "whole", 1);
+  ASSERT_TRUE(is_complete_);
+  const int n_all = std::exchange(n_drops, 0);
+  ASSERT_LT(n_all, 500);
+  run(
+      text,
+      [&](const PointRequest& request) {
+        if (++n_drops == n_all) stop_ = 1;  // no further drop comes
+        return closed_forms(request);
+      },
+      "stopped", 1);
+  EXPECT_FALSE(is_complete_);
 }
 
 TEST_F(Minimise, TakesTheMeanOverWhatIsNotSearched) {

@@ -28,7 +28,9 @@ class SearchTest : public ::testing::Test {
     options.evaluate = evaluate;
     options.resume = true;
     options.stop = &stop_;
-    is_complete_ = run_search(study, options).is_complete;
+    const StudyOutcome outcome = run_search(study, options);
+    is_complete_ = outcome.is_complete;
+    notes_ = outcome.notes;
     if (!is_complete_) return {};
     std::ifstream file(options.directory / "study.json");
     return nlohmann::json::parse(file);
@@ -43,6 +45,7 @@ class SearchTest : public ::testing::Test {
   StudyFolder folder_;
   volatile std::sig_atomic_t stop_ = 0;
   bool is_complete_ = false;
+  std::vector<std::string> notes_;
 };
 
 }  // namespace rotordrop::test

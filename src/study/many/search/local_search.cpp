@@ -16,6 +16,9 @@ namespace {
 
 using Evaluate = std::function<SearchValue(const std::vector<double>&)>;
 
+/// Answers about known places in a row after which a search ends. Methods that still move ask for a new place long before.
+constexpr std::size_t most_back = 10000;
+
 nlopt_algorithm algorithm_of(MinimiseMethod method) {
   switch (method) {
     case MinimiseMethod::cobyla:
@@ -37,12 +40,17 @@ nlopt_algorithm algorithm_of(MinimiseMethod method) {
 /// Evaluations of one search. NLopt asks for value and limits one after the other, and some methods come back to a place.
 class Evaluations {
  public:
-  Evaluations(nlopt_opt optimiser, std::size_t n_constraints, std::size_t most, const Evaluate& evaluate)
-      : optimiser_(optimiser), n_constraints_(n_constraints), most_(most), evaluate_(evaluate) {}
+  Evaluations(nlopt_opt optimiser, std::size_t n_constraints, std::size_t most, const Evaluate& evaluate,
+              const std::function<void()>& between)
+      : optimiser_(optimiser), n_constraints_(n_constraints), most_(most), evaluate_(evaluate), between_(between) {}
 
   const SearchValue& at(unsigned n, const double* x) {
     const std::vector<double> place(x, x + n);
-    if (const auto known = known_.find(place); known != known_.end()) return known->second;
+    if (const auto known = known_.find(place); known != known_.end()) {
+      come_back();
+      return known->second;
+    }
+    n_back_ = 0;
     SearchValue found{worst_, std::vector<double>(n_constraints_, 0.)};
     if (!error_ && known_.size() < most_) {
       try {
@@ -69,15 +77,29 @@ class Evaluations {
   void rethrow() const {
     if (error_) std::rethrow_exception(error_);
   }
+  /// Whether a method came back to known places for so long that it would not end.
+  [[nodiscard]] bool is_going_round() const { return n_back_ >= most_back; }
 
  private:
+  /// A known place costs nothing and counts as no evaluation. A method whose points have all met in one place, such as a corner of the box,
+  /// would ask for it for ever.
+  void come_back() {
+    try {
+      if (!error_ && between_) between_();
+    } catch (...) {
+      error_ = std::current_exception();
+    }
+    if (error_ || ++n_back_ >= most_back) nlopt_force_stop(optimiser_);
+  }
+
   nlopt_opt optimiser_;
   std::size_t n_constraints_, most_;
   const Evaluate& evaluate_;
+  const std::function<void()>& between_;
   std::map<std::vector<double>, SearchValue> known_;
   std::exception_ptr error_;
   double worst_ = 0, best_ = 0;
-  std::size_t n_good_ = 0;
+  std::size_t n_good_ = 0, n_back_ = 0;
 };
 
 struct Asked {
@@ -103,13 +125,14 @@ void require(nlopt_result result, const char* what) {
 
 }  // namespace
 
-void search_minimum(const MinimiseParameters& settings, const std::vector<double>& start, std::size_t n_constraints,
-                    std::uint64_t seed, const Evaluate& evaluate) {
+bool search_minimum(const MinimiseParameters& settings, const std::vector<double>& start, std::size_t n_constraints,
+                    std::uint64_t seed, const Evaluate& evaluate, const std::function<void()>& between) {
   const auto n = static_cast<unsigned>(start.size());
   const std::unique_ptr<nlopt_opt_s, void (*)(nlopt_opt)> optimiser(nlopt_create(algorithm_of(settings.method), n),
                                                                     nlopt_destroy);
   if (!optimiser) throw SolverError("NLopt refuses method " + name_of(settings.method));
-  Evaluations evaluations(optimiser.get(), n_constraints, static_cast<std::size_t>(settings.evaluations), evaluate);
+  Evaluations evaluations(optimiser.get(), n_constraints, static_cast<std::size_t>(settings.evaluations), evaluate,
+                          between);
   Asked asked{evaluations};
   require(nlopt_set_lower_bounds1(optimiser.get(), 0.), "the bounds");
   require(nlopt_set_upper_bounds1(optimiser.get(), 1.), "the bounds");
@@ -129,6 +152,7 @@ void search_minimum(const MinimiseParameters& settings, const std::vector<double
   if (result == NLOPT_OUT_OF_MEMORY || result == NLOPT_INVALID_ARGS)
     throw SolverError("NLopt's " + name_of(settings.method) + " cannot search here: " +
                       (nlopt_get_errmsg(optimiser.get()) ? nlopt_get_errmsg(optimiser.get()) : "it gives no reason"));
+  return !evaluations.is_going_round();
 }
 
 }  // namespace rotordrop

@@ -1,9 +1,12 @@
 #include "study/many/search/search_run.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <limits>
+#include <map>
 
 #include "io/results_folder.h"
 #include "study/many/answers/study_summary.h"
@@ -43,7 +46,8 @@ class SearchRun {
   SearchRun(const Study& study, const StudyOptions& options, DropPool& pool)
       : study_(study), options_(options), pool_(pool), space_(study) {}
 
-  void run() {
+  /// @return what a user should know of the searches
+  std::vector<std::string> run() {
     const auto n = study_.n_searches();
     const auto starts = space_.starts(n);
     std::vector<std::jthread> threads;
@@ -53,18 +57,18 @@ class SearchRun {
     while (!ended_.wait_for(lock, std::chrono::milliseconds(200), [&] { return n_ended_ == n; })) tell();
     tell();
     if (error_) std::rethrow_exception(error_);
+    std::vector<std::string> notes;
+    for (auto& [number, note] : notes_) notes.push_back(std::move(note));
+    return notes;
   }
 
  private:
   void search(std::size_t number, const std::vector<double>& start) {
-    std::size_t n_evaluations = 0;
     try {
       if (study_.fit)
         fit(number, start);
       else
-        search_minimum(*study_.minimise, start, n_constraints(study_),
-                       static_cast<std::uint64_t>(study_.design.seed) + number,
-                       [&](const std::vector<double>& place) { return evaluate(number, n_evaluations++, place); });
+        minimise(number, start);
     } catch (const SearchStopped&) {
     } catch (...) {
       const std::scoped_lock lock(lock_);
@@ -73,6 +77,20 @@ class SearchRun {
     const std::scoped_lock lock(lock_);
     ++n_ended_;
     ended_.notify_all();
+  }
+
+  void minimise(std::size_t number, const std::vector<double>& start) {
+    std::size_t n_evaluations = 0;
+    const bool has_ended = search_minimum(
+        *study_.minimise, start, n_constraints(study_), static_cast<std::uint64_t>(study_.design.seed) + number,
+        [&](const std::vector<double>& place) { return evaluate(number, n_evaluations++, place); },
+        [&] {
+          if (pool_.is_over()) throw SearchStopped{};
+        });
+    if (has_ended) return;
+    const std::scoped_lock lock(lock_);
+    notes_[number] = fmt::format("search {} of {} ended after {} evaluations: {} asked only for places that it knew",
+                                 number + 1, study_.n_searches(), n_evaluations, name_of(study_.minimise->method));
   }
 
   SearchValue evaluate(std::size_t search, std::size_t evaluation, const std::vector<double>& place) {
@@ -143,6 +161,7 @@ class SearchRun {
   std::condition_variable ended_;
   std::size_t n_ended_ = 0;
   std::exception_ptr error_;
+  std::map<std::size_t, std::string> notes_;  ///< by searches
   double best_ = nan;
   Clock::time_point start_;
 };
@@ -169,7 +188,7 @@ StudyOutcome run_search(const Study& study, const StudyOptions& options) {
     const std::size_t n_at_once = study.fit ? std::max<std::size_t>(3, space.n_dimensions()) : space.n_drops();
     const unsigned n_workers = workers_of(options.n_workers, n_searches * n_at_once);
     DropPool pool(study, options, *journal, earlier ? std::move(*earlier) : Journal::Content{}, n_workers);
-    SearchRun(study, options, pool).run();
+    outcome.notes = SearchRun(study, options, pool).run();
     if (const auto error = pool.error()) std::rethrow_exception(error);
     outcome.is_stopped = pool.is_stopped_by_failure();
     outcome.is_complete = !pool.is_over();
