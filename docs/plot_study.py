@@ -8,6 +8,7 @@
 import argparse
 import json
 import pathlib
+import sys
 
 import h5py
 import matplotlib
@@ -15,17 +16,33 @@ import matplotlib
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402
 
+COLUMNS = "/parameters/damping", "/parameters/contact.friction_coefficient", "/results/peak_force"
+
+
+def refusal(text):
+    """Exit code of bad input, once its reason is told."""
+    print(f"error: {text}", file=sys.stderr)
+    return 2
+
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n", 1)[0])
     parser.add_argument("directory", type=pathlib.Path)
     parser.add_argument("-o", "--output", type=pathlib.Path, default=pathlib.Path(__file__).resolve().parent / "images/study.png")
     arguments = parser.parse_args()
-    with h5py.File(arguments.directory / "study.h5") as study:
-        damping = study["/parameters/damping"][:]
-        friction = study["/parameters/contact.friction_coefficient"][:]
-        force = study["/results/peak_force"][:] * 1e-3
-    choose = json.loads((arguments.directory / "study.json").read_text())["choose"]
+    files = [arguments.directory / name for name in ("study.h5", "study.json")]
+    for file in files:
+        if not file.is_file():
+            sys.exit(refusal(f"{file} is missing; name the directory of a finished study."))
+    choose = json.loads(files[1].read_text()).get("choose")
+    if not choose or choose.get("best") is None:
+        sys.exit(refusal(f"the study in {arguments.directory} chooses no best level by [choose]; this figure is that of params/studies/support-damping.toml."))
+    with h5py.File(files[0]) as study:
+        missing = [path for path in COLUMNS if path not in study]
+        if missing:
+            sys.exit(refusal(f"{files[0]} has no column {missing[0]}; this figure is that of params/studies/support-damping.toml."))
+        damping, friction, force = (study[path][:] for path in COLUMNS)
+    force *= 1e-3
     levels = [level for level in choose["levels"] if level.get("quantile") is not None]
 
     figure, axes = plt.subplots(1, 2, figsize=(10, 3.8), layout="constrained", sharey=True)

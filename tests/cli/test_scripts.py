@@ -58,6 +58,23 @@ class WithAResult(unittest.TestCase):
         call(PROGRAM, "run", ROOT / "params/neisi2019-settling.toml", "-o", cls.result, "--set", 'run.end_time="10 ms"', "--quiet")
 
 
+class StudyPlot(unittest.TestCase):
+    """docs/plot_study.py draws one study; what it cannot draw is told in a line."""
+
+    def test_a_study_that_it_cannot_draw_is_refused_in_words(self):
+        with tempfile.TemporaryDirectory() as name:
+            folder = pathlib.Path(name)
+            steps = [("study.h5 is missing", lambda: h5py.File(folder / "study.h5", "w").close()),
+                     ("study.json is missing", lambda: (folder / "study.json").write_text('{"done": 2}')),
+                     ("chooses no best level by [choose]", lambda: (folder / "study.json").write_text('{"choose": {"best": {"value": 1}, "levels": []}}')),
+                     ("has no column /parameters/damping", lambda: None)]
+            for reason, next_step in steps:
+                done = subprocess.run([sys.executable, ROOT / "docs/plot_study.py", folder, "-o", folder / "figure.png"], capture_output=True, text=True)
+                self.assertEqual(done.returncode, 2, done.stderr)
+                self.assertRegex(done.stderr, r"\Aerror: [^\n]*" + re.escape(reason) + r"[^\n]*\n\Z")
+                next_step()
+
+
 class Plots(WithAResult):
     def test_every_figure_is_drawn(self):
         self.assertNotIn("not in the file", plot(self.result))
