@@ -10,7 +10,7 @@ import numpy
 
 sys.path.insert(0, __file__.rpartition("/")[0])
 from browser import BROWSER, DRIVER, Browser  # noqa: E402
-from program import ProgramTest  # noqa: E402
+from program import ProgramTest, page_data  # noqa: E402
 
 BANDWIDTH, DELAY, NOISE = 3e3, 0.05e-3, 1e-6  # Hz, s, m
 FRICTION, STIFFNESS = 0.17, 1.3e9
@@ -67,6 +67,43 @@ class Measured(ProgramTest):
             self.assertEqual((self.folder / name).read_text(), "mine")
             (self.folder / name).unlink()
         self.assertFalse((self.folder / "mine.json").exists())
+
+    def test_values_after_the_end_of_the_drop_are_left_out_and_counted(self):
+        # The drop ends at 10 ms; afterwards its orbit was a metre away.
+        later = "".join(f"{t},1e6,1e6\n" for t in (10.5, 11, 11.5))
+        self.write("long.csv", (self.folder / "measured.csv").read_text() + later)
+        told = self.succeed("compare", "truth", "--measured", "long.csv", "-o", "long.json").stdout
+        self.succeed("compare", "truth", "--measured", "measured.csv", "-o", "short.json")
+        long, short = (json.loads((self.folder / name).read_text())["measured"] for name in ("long.json", "short.json"))
+        self.assertEqual([one.pop("after_end") for one in long + short], [3, 3, 0, 0])
+        for one in long + short:
+            del one["file"]
+        self.assertEqual(long, short)
+        self.assertIn(f"{self.n} values (3 after the end of the drop left out)", told)
+        self.write("late.csv", "time [ms],/bearings/TB1/orbit[0] [um]\n" + "".join(f"{t},1\n" for t in (11, 12, 13)))
+        done = self.call("compare", "truth", "--measured", "late.csv", "-o", "late.json")
+        self.assertEqual(done.returncode, 2, done.stdout)
+        self.assertIn("none of the 3 values of /bearings/TB1/orbit[0]", done.stderr)
+
+    def test_a_fit_leaves_out_what_was_measured_after_the_end(self):
+        study = 'case = "drop.toml"\n[vary]\ncontact.friction_coefficient = { range = [0.05, 0.4] }\n[fit]\nevaluations = 5\n[[fit.measured]]\nfile = "long.csv"\nseries = "/bearings/TB1/orbit"\ntime_unit = "ms"\nunit = "um"\n'
+        table = "".join(f"{t},{y}\n" for t, y in ((1, 0), (5, -9), (8, -200), (9, -230)))
+        self.write("f.toml", study)
+        self.write("long.csv", table)
+        self.succeed("study", "f.toml", "-o", "short")
+        self.write("long.csv", table + "10.5,900\n11,900\n")
+        done = self.succeed("study", "f.toml", "-o", "long")
+        self.assertIn("2 of 6 values of /bearings/TB1/orbit[0]", done.stderr)
+        self.assertIn("4 values (2 after the end of the drop left out)", done.stdout)
+        long, short = (json.loads((self.folder / name / "study.json").read_text())["fit"] for name in ("long", "short"))
+        self.assertEqual([one["measured"][0].pop("after_end") for one in (long, short)], [2, 0])
+        self.assertEqual(long, short)
+        self.succeed("study", "report", "long")
+        self.assertEqual(page_data((self.folder / "long/report.html").read_text())["fit"]["measured"][0]["after_end"], 2)
+        self.write("long.csv", "10.5,1\n11,1\n12,1\n")
+        done = self.call("study", "f.toml", "-o", "none")
+        self.assertEqual(done.returncode, 2, done.stdout)
+        self.assertIn("none of the 3 values", done.stderr)
 
     def test_what_cannot_be_compared_is_told(self):
         self.write("bad.csv", "time,/bearings/TB1/orbitt[0] [um]\n0,1\n1e-3,2\n2e-3,3\n")

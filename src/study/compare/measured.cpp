@@ -256,6 +256,33 @@ std::vector<Measured> read_measured_file(const fs::path& file) {
   return all;
 }
 
+void leave_out_after(Measured& m, double end, const SourcePosition& where) {
+  auto& [times, values] = m.data;
+  // A time of the end may be off by rounding, since units and the delay come in.
+  const double last = end + 1e-9 * std::fabs(end);
+  const auto n = std::partition_point(times.begin(), times.end(), [&](double t) { return t - m.keys.delay <= last; }) -
+                 times.begin();
+  if (n == 0)
+    throw InputError(where,
+                     fmt::format("none of the {} values of {} in {} was measured before the end of the drop, {:.6g} s: "
+                                 "the first one is of {:.6g} s.",
+                                 times.size(), m.name, m.keys.file, end, times.front() - m.keys.delay),
+                     "Check the unit of the times, delay (the time of the release in the measurement) and "
+                     "run.end_time.");
+  m.after_end = {{times.begin() + n, times.end()}, {values.begin() + n, values.end()}};
+  times.resize(static_cast<std::size_t>(n));
+  values.resize(static_cast<std::size_t>(n));
+}
+
+std::string left_out_text(const Measured& m, double end) {
+  const std::size_t n = m.after_end.times.size();
+  if (n == 0) return "";
+  return fmt::format("{} of {} values of {} in {} were measured after the end of the drop, {:.6g} s, and are left out.",
+                     n, n + m.data.times.size(), m.name, m.keys.file, end);
+}
+
+double last_compared(const Measured& m) { return m.data.times.back() - m.keys.delay; }
+
 std::vector<double> sensed(const TimeSeries& quantity, const Measured& by) {
   TimeSeries shown = quantity;
   if (by.keys.bandwidth) {

@@ -29,6 +29,7 @@ struct Measured {
   std::string name;                 ///< "/bearings/TB1/orbit[0]"
   std::string unit;                 ///< SI
   TimeSeries data;                  ///< times that count only
+  TimeSeries after_end;             ///< what was measured after the end of the drop: no part of `data`
   std::optional<double> deviation;  ///< SI
 };
 
@@ -41,6 +42,14 @@ Measured read_measured(const MeasuredParameters& keys, const std::filesystem::pa
 /// All columns of a table (CSV) whose names are series: "time [ms], /bearings/TB1/orbit[0] [um]". A file that ends in .toml has [[measured]] tables.
 /// @throws InputError
 std::vector<Measured> read_measured_file(const std::filesystem::path& file);
+
+/// Moves what a sensor shows of times after the end of a drop from `data` to `after_end`. @throws InputError if no value is left
+/// @param end  last instant that is known of the quantity [s]
+void leave_out_after(Measured& measured, double end, const SourcePosition& where);
+/// "12 of 500 values of /bearings/TB1/orbit[0] lie after ..."; empty if none was left out.
+std::string left_out_text(const Measured& measured, double end);
+/// Last instant of a drop that the values are compared with [s].
+double last_compared(const Measured& measured);
 
 /// What a sensor with a bandwidth (first order) and a delay shows of a quantity, at the times of a measurement.
 std::vector<double> sensed(const TimeSeries& quantity, const Measured& by);

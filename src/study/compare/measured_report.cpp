@@ -31,6 +31,7 @@ Json measured_difference(const Measured& m, const std::vector<double>& computed)
           {"file", m.keys.file},
           {"unit", m.unit},
           {"n", d.n},
+          {"after_end", m.after_end.times.size()},
           {"deviation", json_number(m.deviation)},
           {"rms", json_number(d.rms)},
           {"mean", json_number(d.mean)},
@@ -57,10 +58,12 @@ std::string measured_text(const Json& differences) {
       return d[key].is_number() ? fmt::format("{:.4g} {}", d[key].get<double>(), unit) : std::string("?");
     };
     text += fmt::format(
-        "  {}: {} values, rms {}{}, mean {}, largest {} at {:.6g} s; {:.4g} % of the variance explained\n",
-        d["series"].get<std::string>(), d["n"].get<std::size_t>(), number("rms"),
-        d.contains("rms_start") ? " (at the start " + number("rms_start") + ")" : "", number("mean"), number("largest"),
-        d["largest_time"].get<double>(), d["share"].is_number() ? 100. * d["share"].get<double>() : std::nan(""));
+        "  {}: {} values{}, rms {}{}, mean {}, largest {} at {:.6g} s; {:.4g} % of the variance explained\n",
+        d["series"].get<std::string>(), d["n"].get<std::size_t>(),
+        d["after_end"] == 0 ? "" : fmt::format(" ({} after the end of the drop left out)", d["after_end"].get<int>()),
+        number("rms"), d.contains("rms_start") ? " (at the start " + number("rms_start") + ")" : "", number("mean"),
+        number("largest"), d["largest_time"].get<double>(),
+        d["share"].is_number() ? 100. * d["share"].get<double>() : std::nan(""));
   }
   return text;
 }
@@ -79,9 +82,11 @@ MeasuredComparison compare_with_measured(const RecordedDrop& drop, const std::ve
                        fmt::format("{} is in {}, but the measured values are in {}.", m.keys.series, unit, m.unit));
     Measured own = m;
     own.unit = unit;
-    const auto computed = sensed(drop.series(m.keys.series, static_cast<std::size_t>(m.keys.component)), m);
+    const TimeSeries quantity = drop.series(m.keys.series, static_cast<std::size_t>(m.keys.component));
+    leave_out_after(own, quantity.times.back(), {m.keys.file, 0, 0});
+    const auto computed = sensed(quantity, own);
     made.report["measured"].push_back(measured_difference(own, computed));
-    figures.push_back(measured_overlay(own, {{"computed", {m.data.times, computed}}}));
+    figures.push_back(measured_overlay(own, {{"computed", {own.data.times, computed}}}));
   }
   const Json data{{"title", "Measured and computed: " + drop.case_name()},
                   {"overlay", std::move(figures)},

@@ -245,7 +245,7 @@ Study read_study(const fs::path& file, const std::vector<std::string>& overrides
   }
   read_search(study, tree, faults);
   // The directory of a study holds what was measured; the files that the study names may be elsewhere by then.
-  if (study.fit) read_measured_series(*study.fit, tree, file.parent_path(), !case_file.empty());
+  if (study.fit) read_measured_series(study, tree, file.parent_path(), !case_file.empty());
   check_design(study, tree, faults);
   check_choice(study, faults);
   if (study.surrogate && (study.is_search() || !study.correlations.empty() ||

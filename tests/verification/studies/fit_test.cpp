@@ -147,6 +147,27 @@ TEST_F(FitTest, GivesTheSameBitsForAnyWorkersAndInterruptions) {
   EXPECT_EQ(bytes("broken"), bytes("one"));
 }
 
+// Residuals are of the same instants in every drop: one that ends before the last of them is no drop of the fit.
+TEST_F(FitTest, TakesADropThatEndsBeforeTheLastMeasuredValueAsFailed) {
+  measure(1, 0.);
+  const auto ends_early = [](const PointRequest& request) {
+    PointResult result = oscillation(request);
+    auto& orbit = result.series.front();
+    orbit.time.resize(1501);
+    orbit.values.resize(3002);
+    return result;
+  };
+  try {
+    run("", "early", 2, ends_early);
+    FAIL() << "was fitted";
+  } catch (const SolverError& error) {
+    EXPECT_NE(std::string(error.what()).find("it ends at 0.015 s"), std::string::npos) << error.what();
+  }
+  const auto j = run("until = \"15 ms\"\n", "until", 2, ends_early);
+  EXPECT_EQ(j["measured"][0]["n"], 151);
+  EXPECT_NEAR(parameter(j, 0)["value"].get<double>() / pi, true_a, 2e-5);
+}
+
 TEST_F(FitTest, SaysWhatCannotBeFitted) {
   measure(1, 0.);
   const auto fault_of = [&](const std::string& more) -> std::string {

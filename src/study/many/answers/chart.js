@@ -75,4 +75,4 @@ function overlay(figure) {
 }
 
 const differenceTable = (list) => table(["series", "file", "values", "rms", ...(list.some((d) => isNumber(d.rms_start)) ? ["rms at the start"] : []), "mean", "largest", "at", "variance explained"],
-  list.map((d) => [d.series, d.file, String(d.n), short(d.rms) + unitText(d.unit), ...(list.some((o) => isNumber(o.rms_start)) ? [short(d.rms_start)] : []), short(d.mean), short(d.largest), `${short(d.largest_time)} s`, isNumber(d.share) ? `${short(100 * d.share)} %` : "–"]));
+  list.map((d) => [d.series, d.file, `${d.n}${d.after_end ? `, ${d.after_end} after the end of the drop left out` : ""}`, short(d.rms) + unitText(d.unit), ...(list.some((o) => isNumber(o.rms_start)) ? [short(d.rms_start)] : []), short(d.mean), short(d.largest), `${short(d.largest_time)} s`, isNumber(d.share) ? `${short(100 * d.share)} %` : "–"]));

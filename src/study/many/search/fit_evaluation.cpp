@@ -52,6 +52,14 @@ void show_measured(const Study& study, PointResult& result) {
     for (std::size_t i = 0; i < series->time.size(); ++i)
       quantity.values.push_back(series->values[i * series->width + column]);
     if (quantity.times.empty()) continue;  // of a drop that was stopped at once
+    const double end = quantity.times.back(), needed = last_compared(m);
+    if (needed > end + 1e-9 * std::fabs(end)) {  // every drop of a fit is compared at the same times
+      result.is_done = false;
+      result.reason = fmt::format(
+          "it ends at {:.6g} s, but {} is compared until {:.6g} s; let drops run on, or set until of the measurement",
+          end, m.name, needed);
+      continue;
+    }
     shown.push_back({measured_path(k), series->unit, series->long_name, 1, m.data.times, sensed(quantity, m)});
   }
   std::erase_if(result.series, [&](const PointSeries& s) {
@@ -65,10 +73,10 @@ Eigen::VectorXd residuals_of(const Fit& fit, const std::vector<PointSeries>& ser
   for (std::size_t k = 0; k < fit.measured.size(); ++k) {
     const Measured& m = fit.measured[k];
     const PointSeries* shown = find(series, measured_path(k));
-    if (!shown || shown->values.size() != m.data.values.size()) return {};
+    if (!shown || shown->values.size() < m.data.values.size()) return {};
     double scale = m.deviation ? *m.deviation : deviation_of(m.data.values);
     if (!(scale > 0.)) scale = 1.;
-    for (std::size_t i = 0; i < shown->values.size(); ++i) all.push_back((shown->values[i] - m.data.values[i]) / scale);
+    for (std::size_t i = 0; i < m.data.values.size(); ++i) all.push_back((shown->values[i] - m.data.values[i]) / scale);
   }
   return Eigen::Map<const Eigen::VectorXd>(all.data(), static_cast<Eigen::Index>(all.size()));
 }
@@ -77,10 +85,11 @@ void write_measured(const std::vector<Measured>& measured, const std::filesystem
   std::string text =
       "# measured series in SI: number, unit, deviation of the noise (empty: not given), time [s], value\n";
   for (std::size_t k = 0; k < measured.size(); ++k)
-    for (std::size_t i = 0; i < measured[k].data.times.size(); ++i)
-      text += fmt::format("{},{},{},{},{}\n", k, measured[k].unit,
-                          measured[k].deviation ? fmt::format("{}", *measured[k].deviation) : "",
-                          measured[k].data.times[i], measured[k].data.values[i]);
+    for (const auto* part : {&measured[k].data, &measured[k].after_end})
+      for (std::size_t i = 0; i < part->times.size(); ++i)
+        text += fmt::format("{},{},{},{},{}\n", k, measured[k].unit,
+                            measured[k].deviation ? fmt::format("{}", *measured[k].deviation) : "", part->times[i],
+                            part->values[i]);
   write_text_atomically(directory / file_name, text);
 }
 

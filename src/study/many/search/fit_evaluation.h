@@ -15,7 +15,7 @@ std::vector<std::string> series_of_study(const Study& study);
 
 /// Path under which a drop keeps what a sensor would have shown of it: "/measured/1".
 std::string measured_path(std::size_t k);
-/// Replaces measured datasets by what the sensors would have shown, at the times of the measurement.
+/// Replaces measured datasets by what the sensors would have shown, at the times of the measurement. A drop that ends before the last of them fails.
 void show_measured(const Study& study, PointResult& result);
 
 /// Computed - measured over the noise's deviation; without one over the deviation of the measured values. Empty if the drop failed.

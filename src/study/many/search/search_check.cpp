@@ -82,7 +82,8 @@ void read_fit(Study& study, const Node& tree, Faults& faults) {
 
 }  // namespace
 
-void read_measured_series(Fit& fit, const Node& tree, const std::filesystem::path& folder, bool is_of_study) {
+void read_measured_series(Study& study, const Node& tree, const std::filesystem::path& folder, bool is_of_study) {
+  Fit& fit = *study.fit;
   const Node* tables = tree.find("fit") ? tree.find("fit")->find("measured") : nullptr;
   if (!tables) return;
   for (std::size_t k = 0; k < fit.keys.measured.size(); ++k) {
@@ -92,6 +93,14 @@ void read_measured_series(Fit& fit, const Node& tree, const std::filesystem::pat
       fit.measured.push_back(described(fit.keys.measured[k]));
   }
   if (is_of_study) read_measured_of(folder, fit.measured);
+  // Drops may end at different times, but their differences must be of the same instants: those until the latest end of the case.
+  const double end = study.base.parameters.run.latest_end();
+  for (std::size_t k = 0; k < fit.measured.size(); ++k) {
+    if (fit.measured[k].data.empty()) continue;
+    leave_out_after(fit.measured[k], end, tables->items()[k].where());
+    if (const auto text = left_out_text(fit.measured[k], end); !text.empty())
+      study.base.warnings.push_back({tables->items()[k].where(), text, "Set until, or let the drop run on."});
+  }
 }
 
 std::size_t Study::evaluations_of_search() const {
