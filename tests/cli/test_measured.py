@@ -68,6 +68,29 @@ class Measured(ProgramTest):
             (self.folder / name).unlink()
         self.assertFalse((self.folder / "mine.json").exists())
 
+    def test_units_in_brackets_count_with_and_without_a_blank(self):
+        text = (self.folder / "measured.csv").read_text()
+        found = []
+        for header in ("time [ms],/bearings/TB1/orbit[0] [um],/bearings/TB1/orbit[1] [um]", "time[ms],/bearings/TB1/orbit[0][um],/bearings/TB1/orbit[1] (um)", "time (ms),/bearings/TB1/orbit (um),/bearings/TB1/orbit[1](um)"):
+            self.write("m.csv", header + text[text.index("\n"):])
+            self.succeed("compare", "truth", "--measured", "m.csv", "-o", "m.json", "--force")
+            found.append(json.loads((self.folder / "m.json").read_text())["measured"])
+        self.assertEqual(found[0], found[1])
+        self.assertEqual(found[0], found[2])
+        # By the name, or all of what stands there; a number or a word that is no unit is part of the name.
+        self.write("m.csv", "t[ms],y[um],z[0],w (filtered),v[mum],u[W/(m K)]\n" + "".join(f"{t},100,1e-4,1e-4,1,1\n" for t in (1, 2, 3)))
+        table = '[[measured]]\nfile = "m.csv"\nseries = "/bearings/TB1/orbit"\nvalue = '
+        rms = set()
+        for name in ("y", "y[um]", "z[0]", "w (filtered)"):
+            self.write("m.toml", f'{table}"{name}"\n')
+            self.succeed("compare", "truth", "--measured", "m.toml", "-o", "m.json", "--force")
+            rms.add(round(json.loads((self.folder / "m.json").read_text())["measured"][0]["rms"], 12))
+        self.assertEqual(len(rms), 1)
+        self.write("m.toml", f'{table}"v"\n')
+        done = self.call("compare", "truth", "--measured", "m.toml", "-o", "m.json", "--force")
+        self.assertEqual(done.returncode, 2, done.stdout)
+        self.assertIn('"mum" is no unit of a series', done.stderr)
+
     def test_values_after_the_end_of_the_drop_are_left_out_and_counted(self):
         # The drop ends at 10 ms; afterwards its orbit was a metre away.
         later = "".join(f"{t},1e6,1e6\n" for t in (10.5, 11, 11.5))

@@ -27,21 +27,29 @@ struct UnitScale {
   double zero = 0, factor = 1;
 };
 
-/// "um" is a length: tried against the units that series have.
-UnitScale scale_of(const std::string& unit, const SourcePosition& where) {
-  if (unit.empty() || unit == "1") return {unit, 0., 1.};
+/// "um" is a length: tried against the units that series have. None if it is not a unit.
+std::optional<UnitScale> scale_in_si(const std::string& unit) {
+  if (unit.empty() || unit == "1") return UnitScale{unit, 0., 1.};
   for (const char* si : {"m", "s", "N", "K", "rad/s", "rad", "m/s", "W", "J", "Pa", "N m", "m/s^2", "1"}) {
     const auto kind = kind_of(si);
     const auto zero = convert_to_si("0 " + unit, si, kind, "unit"), one = convert_to_si("1 " + unit, si, kind, "unit");
-    if (zero && one) return {si, zero.value, one.value - zero.value};
+    if (zero && one) return UnitScale{si, zero.value, one.value - zero.value};
   }
-  throw InputError(where, fmt::format("\"{}\" is no unit of a series.", unit),
-                   "For example \"um\", \"N\", \"rpm\" or \"degC\".");
+  return {};
+}
+
+UnitScale scale_of(const std::string& unit, const SourcePosition& where) {
+  if (const auto scale = scale_in_si(unit)) return *scale;
+  throw InputError(
+      where, fmt::format("\"{}\" is no unit of a series.", unit),
+      "For example \"um\", \"N\", \"rpm\" or \"degC\". What stands in square brackets behind the name of a "
+      "column is its unit, but for a number, as in \"orbit[0]\".");
 }
 
 struct Column {
   std::string name, unit;
   std::vector<double> values;
+  std::string header = {};  ///< as the file has it
 };
 
 constexpr std::string_view blanks = " \t\r\"";
@@ -54,13 +62,27 @@ std::optional<double> number_of(const std::string& text) {
   return value;
 }
 
-/// "orbit [um]" is a name and a unit.
+/// Where the bracket opens that ends a text; npos if none does.
+std::size_t opening_of(const std::string& text) {
+  const char close = text.empty() ? ' ' : text.back(), open = close == ']' ? '[' : close == ')' ? '(' : ' ';
+  int depth = 0;
+  for (std::size_t i = text.size(); open != ' ' && i-- > 0;) {
+    depth += (text[i] == close) - (text[i] == open);
+    if (depth == 0) return i;
+  }
+  return std::string::npos;
+}
+
+/// "orbit [um]", "orbit[um]" and "orbit (um)" are a name and a unit; "orbit[0]" and "orbit (filtered)" are names.
 Column named_column(const std::string& text) {
-  const auto open = text.rfind(" [");
-  if (open == std::string::npos || text.back() != ']') return {text, "", {}};
-  return {std::string(trimmed(std::string_view(text).substr(0, open), blanks)),
-          text.substr(open + 2, text.size() - open - 3),
-          {}};
+  const auto open = opening_of(text);
+  if (open == std::string::npos) return {text, "", {}, text};
+  const std::string name(trimmed(std::string_view(text).substr(0, open), blanks)),
+      unit(trimmed(std::string_view(text).substr(open + 1, text.size() - open - 2), blanks));
+  const bool is_index = unit.find_first_not_of("0123456789") == std::string::npos;
+  const bool is_told = text[open] == '[' && open > 0 && text[open - 1] == ' ';  // " [1]" is a unit, too
+  if (!is_told && (is_index || (text[open] == '(' && !scale_in_si(unit)))) return {text, "", {}, text};
+  return {name, unit, {}, text};
 }
 
 /// Numbers in columns, with a line of names or without; lines that begin with # are remarks.
@@ -105,7 +127,7 @@ const Column& column_of(const std::vector<Column>& columns, const std::optional<
                         std::size_t fallback, const fs::path& file, const SourcePosition& where) {
   std::vector<std::string> names;
   for (const auto& column : columns) {
-    if (name && column.name == *name) return column;
+    if (name && (column.name == *name || column.header == *name)) return column;
     names.push_back(column.name);
   }
   if (!name && fallback < columns.size()) return columns[fallback];
