@@ -91,6 +91,21 @@ class Measured(ProgramTest):
         self.assertEqual(done.returncode, 2, done.stdout)
         self.assertIn('"mum" is no unit of a series', done.stderr)
 
+    def test_every_unit_of_the_results_is_one_of_measured_values(self):
+        series = {}
+
+        def visit(path, item):
+            if isinstance(item, h5py.Dataset) and "time" in item.attrs:
+                series.setdefault(item.attrs["units"], "/" + path)
+
+        with h5py.File(self.folder / "truth/results.h5") as h5:
+            h5.visititems(visit)
+        self.assertTrue({"N", "N m", "N s", "J", "W", "K", "rad/s"} <= set(series), series)
+        for unit, path in series.items():
+            self.write("m.csv", f"time [ms],{path}[0] [{unit}]\n1,1\n2,2\n3,3\n")
+            self.succeed("compare", "truth", "--measured", "m.csv", "-o", "m.json", "--force")
+            self.assertEqual(json.loads((self.folder / "m.json").read_text())["measured"][0]["unit"], unit)
+
     def test_values_after_the_end_of_the_drop_are_left_out_and_counted(self):
         # The drop ends at 10 ms; afterwards its orbit was a metre away.
         later = "".join(f"{t},1e6,1e6\n" for t in (10.5, 11, 11.5))
@@ -116,7 +131,7 @@ class Measured(ProgramTest):
         self.succeed("study", "f.toml", "-o", "short")
         self.write("long.csv", table + "10.5,900\n11,900\n")
         done = self.succeed("study", "f.toml", "-o", "long")
-        self.assertIn("2 of 6 values of /bearings/TB1/orbit[0]", done.stderr)
+        self.assertIn("f.toml:6:1: values of /bearings/TB1/orbit[0] in long.csv after the end of the drop, 0.01 s, are left out: 2 of 6", done.stderr)
         self.assertIn("4 values (2 after the end of the drop left out)", done.stdout)
         long, short = (json.loads((self.folder / name / "study.json").read_text())["fit"] for name in ("long", "short"))
         self.assertEqual([one["measured"][0].pop("after_end") for one in (long, short)], [2, 0])

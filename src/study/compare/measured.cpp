@@ -27,10 +27,16 @@ struct UnitScale {
   double zero = 0, factor = 1;
 };
 
+/// SI units of the series that a drop has, or parts of others may give it; those of most come first, since J and N m are of one dimension.
+constexpr const char* units_of_series[] = {
+    "m",   "s",   "N",     "K",    "rad/s",   "rad",       "m/s",  "W",    "J",   "Pa",      "N m",      "1",
+    "N s", "N/m", "N s/m", "m/s2", "rad/s2",  "1/s",       "W/m2", "W/K",  "K/W", "W/(m K)", "W/(m2 K)", "J/K",
+    "kg",  "m2",  "m3",    "1/m",  "N m/rad", "N m s/rad", "m2/s", "Pa s", "K/s", "A",       "V"};
+
 /// "um" is a length: tried against the units that series have. None if it is not a unit.
 std::optional<UnitScale> scale_in_si(const std::string& unit) {
   if (unit.empty() || unit == "1") return UnitScale{unit, 0., 1.};
-  for (const char* si : {"m", "s", "N", "K", "rad/s", "rad", "m/s", "W", "J", "Pa", "N m", "m/s^2", "1"}) {
+  for (const char* si : units_of_series) {
     const auto kind = kind_of(si);
     const auto zero = convert_to_si("0 " + unit, si, kind, "unit"), one = convert_to_si("1 " + unit, si, kind, "unit");
     if (zero && one) return UnitScale{si, zero.value, one.value - zero.value};
@@ -299,8 +305,15 @@ void leave_out_after(Measured& m, double end, const SourcePosition& where) {
 std::string left_out_text(const Measured& m, double end) {
   const std::size_t n = m.after_end.times.size();
   if (n == 0) return "";
-  return fmt::format("{} of {} values of {} in {} were measured after the end of the drop, {:.6g} s, and are left out.",
-                     n, n + m.data.times.size(), m.name, m.keys.file, end);
+  return fmt::format("values of {} in {} after the end of the drop, {:.6g} s, are left out: {} of {}.", m.name,
+                     m.keys.file, end, n, n + m.data.times.size());
+}
+
+bool is_same_unit(const std::string& a, const std::string& b) {
+  if (a == b) return true;
+  if (!is_unit(a) || !is_unit(b)) return false;
+  const auto one = convert_to_si("1 " + a, b, kind_of(b), "unit");
+  return one && one.value == 1.;
 }
 
 double last_compared(const Measured& m) { return m.data.times.back() - m.keys.delay; }

@@ -43,10 +43,13 @@ Measured read_measured(const MeasuredParameters& keys, const std::filesystem::pa
 /// @throws InputError
 std::vector<Measured> read_measured_file(const std::filesystem::path& file);
 
+/// Whether numbers in two SI units are the same, as in "J" and "N m".
+bool is_same_unit(const std::string& a, const std::string& b);
+
 /// Moves what a sensor shows of times after the end of a drop from `data` to `after_end`. @throws InputError if no value is left
 /// @param end  last instant that is known of the quantity [s]
 void leave_out_after(Measured& measured, double end, const SourcePosition& where);
-/// "12 of 500 values of /bearings/TB1/orbit[0] lie after ..."; empty if none was left out.
+/// "values of /bearings/TB1/orbit[0] after the end are left out: 12 of 500."; empty if none was left out.
 std::string left_out_text(const Measured& measured, double end);
 /// Last instant of a drop that the values are compared with [s].
 double last_compared(const Measured& measured);

@@ -77,7 +77,7 @@ MeasuredComparison compare_with_measured(const RecordedDrop& drop, const std::ve
       throw InputError({m.keys.file, 0, 0}, fmt::format("the drop has no series {}.", m.keys.series),
                        suggestion(m.keys.series, drop.datasets(), "docs/reference/results.md lists them."));
     const std::string unit = drop.meaning(m.keys.series).unit;
-    if (!m.unit.empty() && m.unit != unit)
+    if (!m.unit.empty() && !is_same_unit(m.unit, unit))
       throw InputError({m.keys.file, 0, 0},
                        fmt::format("{} is in {}, but the measured values are in {}.", m.keys.series, unit, m.unit));
     Measured own = m;

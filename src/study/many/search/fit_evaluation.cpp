@@ -45,7 +45,7 @@ void show_measured(const Study& study, PointResult& result) {
       throw InputError({},
                        fmt::format("measured.component = {}: {} has {} columns.", column, m.keys.series, series->width),
                        "Columns count from 0.");
-    if (!m.unit.empty() && m.unit != series->unit)
+    if (!m.unit.empty() && !is_same_unit(m.unit, series->unit))
       throw InputError({}, fmt::format("{} is in {}, but the measured values of {} are in {}.", m.keys.series,
                                        series->unit, m.keys.file, m.unit));
     TimeSeries quantity{series->time, {}};
