@@ -218,4 +218,25 @@ TEST_F(Minimise, SaysWhatCannotBeSearched) {
   EXPECT_NE(fault_of(two + search + "over = [\"rotor.unbalance[0].angle\"]\n").find("needs design.size"),
             std::string::npos);
   EXPECT_NE(fault_of(two + search + "[design]\nsize = 7\n").find("no meaning"), std::string::npos);
+  const std::string outside =
+      "[vary]\n\"rotor.unbalance[0].angle\" = { range = [\"-90 deg\", \"90 deg\"], reference = \"100 deg\" }\n";
+  EXPECT_NE(
+      fault_of(outside + search).find("study.toml:3:75: vary.rotor.unbalance[0].angle: the search starts at reference"),
+      std::string::npos)
+      << fault_of(outside + search);
+  EXPECT_NE(fault_of(outside + search).find("but the range is -1.5707963267948966 to 1.5707963267948966 rad"),
+            std::string::npos)
+      << fault_of(outside + search);
+}
+
+// A number at an end of its range stays there whatever rounding its unit brings; the case's value need not lie in the range.
+TEST_F(Minimise, StartsAtTheReferenceOrTheCasesValueOrInTheMiddle) {
+  const auto start_of = [&](const std::string& range) {
+    const Study study = folder_.read("[vary]\ncontact.air_gap = { " + range + " }\n[minimise]\nresult = \"sum\"\n");
+    return SearchSpace(study).starts(1).front().front();
+  };
+  EXPECT_EQ(start_of("range = [\"0.1 mm\", \"0.3 mm\"], reference = \"300 um\""), 1.);
+  EXPECT_EQ(start_of("range = [\"0.1 mm\", \"0.3 mm\"], reference = 1e-4"), 0.);
+  EXPECT_NEAR(start_of("range = [\"100 um\", \"300 um\"]"), 0.75, 1e-12);  // 250 um
+  EXPECT_EQ(start_of("range = [\"100 um\", \"200 um\"]"), 0.5);
 }

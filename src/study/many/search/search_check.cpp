@@ -6,7 +6,9 @@
 #include <algorithm>
 
 #include "base/parameters/suggestion.h"
+#include "base/units.h"
 #include "study/many/search/fit_evaluation.h"
+#include "study/many/search/search_space.h"
 
 namespace rotordrop {
 namespace {
@@ -50,10 +52,27 @@ std::vector<std::size_t> searched_parameters(const Study& study, const Node& ove
   return found;
 }
 
+/// A reference that is written beside a range is where the first search starts.
+void check_references(const Study& study, Faults& faults) {
+  const auto drawn = study.drawn();
+  for (const auto j : study.searched) {
+    const auto& p = study.parameters[drawn[j]];
+    if (!p.reference || !p.reference->is_number() || !has_range(p)) continue;
+    const auto& d = p.distribution;
+    if (!is_in_range(d, p.reference->number()))
+      faults.add(p.reference->where(),
+                 fmt::format("vary.{}: the search starts at reference = {}, but the range is {} to {}{}.", p.name,
+                             shortest(p.reference->number()), shortest(d.lower), shortest(d.upper),
+                             p.unit().empty() || p.unit() == "1" ? "" : " " + p.unit()),
+                 "Choose a reference in the range, or leave it out: the search then starts at the case's value.");
+  }
+}
+
 void read_fit(Study& study, const Node& tree, Faults& faults) {
   const SourcePosition where = position_of(tree, "fit");
   const auto& keys = study.fit->keys;
   study.searched = searched_parameters(study, Node(), faults);
+  check_references(study, faults);
   if (study.searched.empty() || study.searched.size() < study.drawn().size())
     faults.add(where, "[fit] needs a range for every parameter of [vary] that has no formula.",
                "Write KEY = { range = [from, to] }; what is known belongs into the case.");
@@ -117,6 +136,7 @@ void read_search(Study& study, const Node& tree, Faults& faults) {
   if (study.fit) return read_fit(study, tree, faults);
   const SourcePosition where = position_of(tree, "minimise");
   study.searched = searched_parameters(study, study.minimise->over, faults);
+  check_references(study, faults);
   if (study.searched.empty())
     faults.add(where, "[minimise] has nothing to search: no parameter of [vary] has a range.",
                "Write KEY = { range = [from, to] }.");

@@ -19,14 +19,20 @@ Study with_constants(Study study) {
 
 bool is_all_searched(const Study& study) { return study.searched.size() == study.drawn().size(); }
 
-/// Part of the range at which a value lies; the middle if it lies outside.
+/// Part of the range at which a value lies; the middle if it lies outside by more than rounding of units.
 double place_of(const Distribution& d, double value) {
-  if (!(value >= d.lower && value <= d.upper)) return 0.5;
+  if (!is_in_range(d, value)) return 0.5;
+  value = std::clamp(value, d.lower, d.upper);
   if (d.kind == Distribution::Kind::log_uniform) return std::log(value / d.lower) / std::log(d.upper / d.lower);
   return (value - d.lower) / (d.upper - d.lower);
 }
 
 }  // namespace
+
+bool is_in_range(const Distribution& d, double value) {
+  const double rounding = 1e-12 * std::max(std::fabs(d.lower), std::fabs(d.upper));
+  return value >= d.lower - rounding && value <= d.upper + rounding;
+}
 
 SearchSpace::SearchSpace(const Study& study) : study_(study), drawn_(study.drawn()) {
   if (is_all_searched(study)) {

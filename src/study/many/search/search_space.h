@@ -6,6 +6,9 @@
 
 namespace rotordrop {
 
+/// Whether a value lies in a range, but for rounding by units.
+bool is_in_range(const Distribution& range, double value);
+
 /// Where a search moves, and the drops of one evaluation. A place is one number in [0, 1] for each searched parameter: its part of the range
 /// (of the logarithms, for a range with scale = "log").
 class SearchSpace {
