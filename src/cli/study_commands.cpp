@@ -132,9 +132,10 @@ int study_command_of(const StudyCommand& command, Ranks* ranks) {
           static_cast<double>(study.n_searches() * study.evaluations_of_search() * SearchSpace(study).n_drops()) /
           static_cast<double>(estimate.n_points);
       fmt::print(
-          "start and corners of the ranges are valid cases; {} results of each drop are kept\nat most {} of CPU and {} "
+          "{} and corners of the ranges are valid cases; {} results of each drop are kept\nat most {} of CPU and {} "
           "of results\n",
-          results.names.size(), duration(most * estimate.cpu_time), size_text(most * estimate.bytes));
+          study.minimise && !takes_start(study.minimise->method) ? "middle" : "start", results.names.size(),
+          duration(most * estimate.cpu_time), size_text(most * estimate.bytes));
       return 0;
     }
     fmt::print("every point is a valid case; {} results of each are kept\nabout {} of CPU{} and {} of results\n",

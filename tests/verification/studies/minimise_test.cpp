@@ -7,6 +7,7 @@
 //   rough      (x - 0.3)^2 + 0.1 n, n of +-1 by the replicate's height: chaos whose mean is known
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -14,6 +15,7 @@
 #include <utility>
 
 #include "search_test.h"
+#include "study/many/answers/search_summary.h"
 #include "study/many/random_bits.h"
 
 using namespace rotordrop;
@@ -227,6 +229,27 @@ TEST_F(Minimise, SaysWhatCannotBeSearched) {
   EXPECT_NE(fault_of(outside + search).find("but the range is -1.5707963267948966 to 1.5707963267948966 rad"),
             std::string::npos)
       << fault_of(outside + search);
+}
+
+TEST_F(Minimise, RefusesSeveralSearchesFromTheMiddleAndWarnsOfReferencesThere) {
+  const std::string direct = std::string(both) + "[minimise]\nresult = \"sum\"\nmethod = \"direct\"\n";
+  try {
+    (void)folder_.read(direct + "searches = 2\n");
+    FAIL() << "was taken";
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("study.toml:8:12: minimise.searches = 2"), std::string::npos)
+        << error.what();
+  }
+  const auto warnings = folder_.read(direct).base.warnings;
+  const auto of_references = std::count_if(warnings.begin(), warnings.end(), [](const Fault& warning) {
+    return warning.message.find("the reference has no effect") != std::string::npos;
+  });
+  EXPECT_EQ(of_references, 2);
+  const std::string at_an_end =
+      "[vary]\n\"rotor.unbalance[0].angle\" = { range = [\"0 deg\", \"180 deg\"], reference = \"0 deg\" }\n";
+  const auto j = run(at_an_end + "[minimise]\nresult = \"sum\"\nmethod = \"direct\"\nevaluations = 9\n");
+  EXPECT_NEAR(j["start"]["parameters"]["rotor.unbalance[0].angle"].get<double>(), pi / 2, 1e-12);
+  EXPECT_NE(minimise_text(nlohmann::ordered_json(j)).find("in the middle of the ranges"), std::string::npos);
 }
 
 // A number at an end of its range stays there whatever rounding its unit brings; the case's value need not lie in the range.

@@ -163,7 +163,9 @@ std::string minimise_text(const Json& j) {
   std::string text = fmt::format("smallest {}: {}", what, number(best["value"], unit));
   if (best["low"].is_number() || best["high"].is_number())
     text += fmt::format(" (95 % interval {} to {})", number(best["low"]), number(best["high"], unit));
-  text += fmt::format(", at the start {}\n", number(j["start"]["value"], unit));
+  text += fmt::format(", {} {}\n",
+                      j["method"] == name_of(MinimiseMethod::direct) ? "in the middle of the ranges" : "at the start",
+                      number(j["start"]["value"], unit));
   for (const auto& [name, value] : best["parameters"].items())
     text += fmt::format("  {} = {}\n", name, number(value, j["units"].value(name, "1")));
   for (const auto& limit : best["limits"]) {

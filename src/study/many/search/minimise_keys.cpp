@@ -9,6 +9,8 @@ std::string name_of(MinimiseMethod method) {
 
 bool takes_limits(MinimiseMethod method) { return method == MinimiseMethod::cobyla || method == MinimiseMethod::isres; }
 
+bool takes_start(MinimiseMethod method) { return method != MinimiseMethod::direct; }
+
 Section<MinimiseParameters> minimise_section() {
   using P = MinimiseParameters;
   Section<P> s("minimise", "Which values of some parameters make a result smallest, with the [limits] kept.");
@@ -39,14 +41,17 @@ Section<MinimiseParameters> minimise_section() {
               {.fallback = "cobyla",
                .help = "Of NLopt, without derivatives. Local: cobyla (linear models, takes limits), bobyqa (quadratic "
                        "models, for smooth results), subplex (simplices, for rough ones). Global: crs (random search), "
-                       "isres (evolution, takes limits), direct (divides the box)."})
+                       "isres (evolution, takes limits), direct (divides the box, from its middle on, wherever the "
+                       "reference is)."})
       .integer("evaluations", &P::evaluations,
                {.range = between(1, 100000), .fallback = 100, .help = "At most, of each search."})
-      .integer("searches", &P::searches,
-               {.range = between(1, 1000),
-                .fallback = 1,
-                .help = "The first one starts at the reference (or the case's value, or the middle of the range), the "
-                        "others at points of a Latin hypercube. They run at the same time."})
+      .integer(
+          "searches", &P::searches,
+          {.range = between(1, 1000),
+           .fallback = 1,
+           .help = "The first one starts at the reference (or the case's value, or the middle of the range), the "
+                   "others at points of a Latin hypercube. They run at the same time. Of method = \"direct\", which "
+                   "starts in the middle of the ranges, there is one search only."})
       .quantity("first_step", &P::first_step,
                 {.range = between(1e-6, 1), .fallback = "0.2", .help = "Part of each range."})
       .quantity("tolerance", &P::tolerance,

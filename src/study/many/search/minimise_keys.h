@@ -27,6 +27,9 @@ std::string name_of(MinimiseMethod method);
 /// Whether a method takes limits.
 bool takes_limits(MinimiseMethod method);
 
+/// Whether a method starts where it is told; if not, all its searches are one.
+bool takes_start(MinimiseMethod method);
+
 Section<MinimiseParameters> minimise_section();
 
 }  // namespace rotordrop

@@ -68,6 +68,28 @@ void check_references(const Study& study, Faults& faults) {
   }
 }
 
+/// Of a method that always starts in the middle of the ranges.
+void check_without_start(Study& study, const Node& tree, Faults& faults) {
+  const std::string method = name_of(study.minimise->method);
+  if (study.minimise->searches > 1)
+    faults.add(
+        position_of_value(*tree.find("minimise"), "searches"),
+        fmt::format("minimise.searches = {}: the searches of method = \"{}\" would all be the same, from the middle "
+                    "of the ranges.",
+                    study.minimise->searches, method),
+        "Remove searches and give more evaluations, or choose a method that starts at several places.");
+  const auto drawn = study.drawn();
+  for (const auto j : study.searched)
+    if (const auto& p = study.parameters[drawn[j]]; p.reference)
+      study.base.warnings.push_back(
+          {p.reference->where(),
+           fmt::format(
+               "vary.{}: the reference has no effect, since minimise.method = \"{}\" starts in the middle of the "
+               "ranges.",
+               p.name, method),
+           "Remove it, or choose a method that starts there."});
+}
+
 void read_fit(Study& study, const Node& tree, Faults& faults) {
   const SourcePosition where = position_of(tree, "fit");
   const auto& keys = study.fit->keys;
@@ -148,6 +170,7 @@ void read_search(Study& study, const Node& tree, Faults& faults) {
   if (study.minimise->method == MinimiseMethod::bobyqa && study.searched.size() == 1)
     faults.add(position_of_value(*tree.find("minimise"), "method"),
                "minimise.method = \"bobyqa\" needs two parameters at least.", "Choose cobyla or subplex.");
+  if (!takes_start(study.minimise->method)) check_without_start(study, tree, faults);
   const auto kind = study.design.kind;
   if (study.searched.size() == study.drawn().size() && study.design.size)
     faults.add(position_of_value(*tree.find("design"), "size"),

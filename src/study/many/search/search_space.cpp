@@ -73,6 +73,10 @@ std::vector<double> SearchSpace::place(const std::vector<double>& values) const 
 std::vector<std::vector<double>> SearchSpace::starts(std::size_t n) const {
   std::vector<std::vector<double>> result(1);
   for (std::size_t i = 0; i < n_dimensions(); ++i) {
+    if (study_.minimise && !takes_start(study_.minimise->method)) {
+      result.front().push_back(0.5);
+      continue;
+    }
     const auto& p = parameter(i);
     const auto reference = p.reference ? p.reference : own_value(study_, p.keys.front());
     result.front().push_back(reference && reference->is_number() ? place_of(p.distribution, reference->number()) : 0.5);
