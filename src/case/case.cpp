@@ -18,6 +18,7 @@
 #include "case/keys/entry_settings.h"
 #include "case/modules/parts_modules.h"
 #include "case/plausibility.h"
+#include "case/program_files.h"
 #include "case/rotor_file.h"
 #include "case/slips/kinds_of_files.h"
 #include "io/text/parameter_writers.h"
@@ -333,11 +334,16 @@ Node with_base(Node tree, const fs::path& file, const fs::path& folder, LayerNot
   return merged(under, tree);
 }
 
+Node read_named_toml(const fs::path& file, const CompleteLayer& complete) {
+  look_for_file(file);
+  return read_toml(file, complete);
+}
+
 }  // namespace
 
 Case read_case(const fs::path& file, const std::vector<std::string>& overrides) {
   return case_of(file, {settings_of(overrides)},
-                 [&](LayerNotes& notes) { return read_toml(file, with_catalogue(notes)); });
+                 [&](LayerNotes& notes) { return read_named_toml(file, with_catalogue(notes)); });
 }
 
 Case read_case_text(std::string_view text, const fs::path& folder, const std::string& name,
@@ -351,13 +357,13 @@ Case read_given_case(const GivenCase& given, const std::vector<Setting>& setting
   return case_of(given.file, {settings, given.folder}, [&](LayerNotes& notes) {
     if (given.tree) return with_base(*given.tree, given.file, given.folder, notes);
     return given.text ? read_toml_text(*given.text, given.file, with_catalogue(notes))
-                      : read_toml(given.file, with_catalogue(notes));
+                      : read_named_toml(given.file, with_catalogue(notes));
   });
 }
 
 CaseFamily::CaseFamily(const fs::path& file) : file_(file) {
   LayerNotes notes;
-  tree_ = read_toml(file, with_catalogue(notes));
+  tree_ = read_named_toml(file, with_catalogue(notes));
   notes.faults.throw_if_any();
 }
 

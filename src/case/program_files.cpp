@@ -1,6 +1,10 @@
 #include "case/program_files.h"
 
+#include <fmt/format.h>
+
 #include <cstdlib>
+
+#include "base/errors.h"
 
 namespace rotordrop {
 namespace {
@@ -22,6 +26,15 @@ fs::path params_folder() {
   if (!folders().params.empty()) return folders().params;
   const fs::path installed = program_folder() / ROTORDROP_RELATIVE_DATA / "params";
   return fs::is_directory(installed) ? installed.lexically_normal() : fs::path(ROTORDROP_PARAMS_DIRECTORY);
+}
+
+void look_for_file(const fs::path& file) {
+  std::error_code ignored;
+  if (fs::exists(file, ignored) || fs::exists(file.string() + ".toml", ignored)) return;
+  for (fs::recursive_directory_iterator own(params_folder(), ignored), end; own != end; own.increment(ignored))
+    if (own->path().filename() == file.filename() || own->path().filename() == file.filename().string() + ".toml")
+      throw InputError({file.string()}, fmt::format("file \"{}\" cannot be read: there is none.", file.string()),
+                       fmt::format("The program brings one of this name along: {}", own->path().string()));
 }
 
 fs::path module_file(const std::string& name) {

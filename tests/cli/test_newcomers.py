@@ -154,6 +154,15 @@ class Newcomers(ProgramTest):
             self.assertRegex(self.call("check", name).stderr, r'Did you mean "(\./)?drop\.toml"')
         self.assertNotIn("Did you mean", self.call("check", "xylophone.toml").stderr)
 
+    def test_a_case_of_the_program_is_answered_with_its_place(self):
+        for command, name, own in (("run", "neisi2019-ribbon.toml", "neisi2019-ribbon.toml"), ("check", "vertical-drop", "vertical-drop.toml"),
+                                   ("study", "support-damping.toml", "studies/support-damping.toml"), ("heat", "ring-in-housing.toml", "heat/ring-in-housing.toml")):
+            told = self.call(command, name)
+            self.assertEqual(told.returncode, 2)
+            self.assertIn(f"The program brings one of this name along: {PARAMS / own}", told.stderr)
+        place = re.search(r"along: (.+)", self.call("check", "vertical-drop").stderr)[1]
+        self.succeed("check", place)
+
     def test_usual_slips_warn(self):
         for text, says in (("[run]\ninitial_speed = 9000\n", 'If rpm is meant, write "9000 rpm"'), ("[contact]\nair_gap = 0.25\n", "air_gap"), ('[contact]\nair_gap = "5 mm"\n', "is unusual")):
             self.write("drop.toml", 'base = "reference.toml"\n' + text)

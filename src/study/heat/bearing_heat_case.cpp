@@ -11,6 +11,7 @@
 #include "base/parameters/suggestion.h"
 #include "case/bearing_mesh.h"
 #include "case/modules/fe_module.h"
+#include "case/program_files.h"
 #include "io/text/toml_reader.h"
 #include "machine/check_machine.h"
 #include "study/heat/recorded_heat.h"
@@ -197,6 +198,7 @@ class ProbeFinder {
 }  // namespace
 
 bool is_bearing_heat_case(const std::filesystem::path& file) {
+  look_for_file(file);
   const Node tree = read_toml(file);
   return tree.has("heat") || tree.has("bearings") || tree.has("rotor");
 }

@@ -11,6 +11,7 @@
 #include "base/errors.h"
 #include "base/version.h"
 #include "case/modules/fe_module.h"
+#include "case/program_files.h"
 #include "case/slips/kinds_of_files.h"
 #include "case/usual_values.h"
 #include "io/checkpoint.h"
@@ -85,6 +86,7 @@ bool is_first_rank() { return number_in("OMPI_COMM_WORLD_RANK", number_in("PMI_R
 std::vector<ErasedSection> heat_sections() { return {heat_section(default_materials()).erased()}; }
 
 bool is_heat_case(const fs::path& file) {
+  look_for_file(file);
   const Node tree = read_toml(file);
   return tree.has("heat") || kind_of_file(tree) == FileKind::heat;
 }

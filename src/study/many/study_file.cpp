@@ -202,6 +202,7 @@ Study read_study(const fs::path& file, const std::vector<std::string>& overrides
   study.file = file;
   study.name = file.stem().string();
   study.set = overrides;
+  look_for_file(file);
   study.text = read_input_file(file);
   const Node tree = read_toml(file);
   require_kind(tree, file, FileKind::study);
