@@ -218,9 +218,9 @@ void check_machine(const MachineParameters& p, const Node& case_node, Faults& fa
                    "Take thermal.fe.coupling = \"windowed\", which opens and closes fits, or an interference.");
       have_journals = have_journals && air_gap(*b, p.contact) < bore_radius(*b, p.contact);
       check_touchdown(entry.name, *b, p.contact, table, table_of(case_node, "contact"), faults);
-      for (const auto& [key, name] : {std::pair{"ball", b->ball}, std::pair{"ring", b->ring},
-                                      std::pair{"journal", b->journal.value_or(b->ring)}}) {
-        if (key == std::string_view("journal") && !b->journal) continue;
+      std::vector<std::pair<const char*, std::string>> materials = {{"ball", b->ball}, {"ring", b->ring}};
+      if (b->journal) materials.emplace_back("journal", *b->journal);
+      for (const auto& [key, name] : materials) {
         if (find_material(p, name)) continue;
         are_materials_known = false;
         std::vector<std::string> known;
