@@ -165,6 +165,14 @@ bool is_void(const std::string& name, const std::vector<std::pair<std::string, d
   });
 }
 
+std::optional<bool> keeps(const Limit& limit, bool is_max, double value, bool is_void) {
+  const bool is_kept = is_max ? value <= *limit.max : value >= *limit.min;
+  // The true pressure is at least the void one, the true safety at most.
+  const bool is_certain_above = !limit.pattern.ends_with(".static_safety");
+  const bool is_above = is_max != is_kept;
+  return is_void && is_above != is_certain_above ? std::nullopt : std::optional(is_kept);
+}
+
 std::string advice_on_result(const std::string& name, const std::vector<std::string>& names) {
   constexpr std::size_t most_shown = 6;
   std::vector<std::string> of_any;
@@ -219,16 +227,15 @@ Json assessed(const std::vector<Limit>& limits, const std::vector<std::pair<std:
     for (const bool is_max : {true, false}) {
       const auto& bound = is_max ? limit.max : limit.min;
       if (!bound) continue;
-      const bool is_met = is_max ? value <= *bound : value >= *bound;
-      // A void pressure that is too high is so all the more.
-      const bool is_judged = is_known && (!is_met || !is_void(limit.pattern, numbers));
+      const auto is_met =
+          is_known ? keeps(limit, is_max, value, is_void(limit.pattern, numbers)) : std::optional<bool>();
       list.push_back({{"key", limit.pattern},
                       {"value", json_number(value)},
                       {"limit", *bound},
                       {"kind", is_max ? "max" : "min"},
                       {"unit", meaning_of(limit.pattern).unit},
                       {"usage", usage(value, *bound, is_max)},
-                      {"accepted", is_judged ? Json(is_met) : Json(nullptr)}});
+                      {"accepted", is_met ? Json(*is_met) : Json(nullptr)}});
       if (std::isfinite(low) && std::isfinite(high)) list.back().update({{"low", low}, {"high", high}});
     }
   }

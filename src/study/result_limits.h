@@ -1,6 +1,7 @@
 #pragma once
 #include <functional>
 #include <nlohmann/json_fwd.hpp>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -35,6 +36,10 @@ bool tells_truncation(const std::string& name);
 /// Whether a pressure or static safety is void since contact ellipses reach over the raceway's edge, by those of the drop's numbers that tell. The
 /// pressure is higher then and the safety lower.
 bool is_void(const std::string& name, const std::vector<std::pair<std::string, double>>& numbers);
+
+/// Whether a value keeps the `max` (or the `min`) of a limit that has one; nothing where that cannot be told, since the value is void.
+/// @param limit  resolved
+std::optional<bool> keeps(const Limit& limit, bool is_max, double value, bool is_void);
 
 /// `limits` of summary.json. Of a drop without contact nothing is assessed: it has met nothing. @param limits  resolved
 /// @param is_complete  of a run that was interrupted nothing is assessed: it may still exceed a limit, or come back below

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "study/json_number.h"
+#include "study/many/answers/limit_verdicts.h"
 #include "study/many/answers/result_check.h"
 #include "study/many/answers/statistics.h"
 #include "study/many/search/evaluation.h"
@@ -63,7 +64,7 @@ Estimate interval_of(const Study& study, std::vector<double> values) {
   return e;
 }
 
-Json limits_of(const Study& study, const StepValues& values, std::size_t step) {
+Json limits_of(const Study& study, const StepValues& values, const LimitVerdicts& verdicts, std::size_t step) {
   Json list = Json::array();
   for (const auto& limit : study.limits) {
     const auto all = values.of(step, limit.pattern);
@@ -76,6 +77,9 @@ Json limits_of(const Study& study, const StepValues& values, std::size_t step) {
       one["min"] = *limit.min;
       one["lower_value"] = json_number(statistic_of(*study.minimise, all, true));
     }
+    std::size_t n_undefined = 0;
+    for (std::size_t k = values.first(step); k <= values.last(step); ++k) n_undefined += !verdicts.breaks(limit, k);
+    one["undefined"] = n_undefined;
     list.push_back(std::move(one));
   }
   return list;
@@ -86,6 +90,7 @@ Json limits_of(const Study& study, const StepValues& values, std::size_t step) {
 Json minimise_summary(const Study& study, const Design& design, const StudyTable& table) {
   const auto& minimise = *study.minimise;
   const StepValues values(study, design, table);
+  const LimitVerdicts verdicts(table);
   const auto drawn = study.drawn();
   Json units = Json::object();
   for (const auto i : study.searched) units[study.parameters[drawn[i]].name] = study.parameters[drawn[i]].unit();
@@ -131,7 +136,7 @@ Json minimise_summary(const Study& study, const Design& design, const StudyTable
     const Estimate e = interval_of(study, values.of(k, minimise.result));
     one["low"] = json_number(e.low);
     one["high"] = json_number(e.high);
-    one["limits"] = limits_of(study, values, k);
+    one["limits"] = limits_of(study, values, verdicts, k);
     return one;
   };
   for (std::size_t s = 0; s < best_of.size(); ++s)
@@ -145,7 +150,7 @@ Json minimise_summary(const Study& study, const Design& design, const StudyTable
 
 namespace {
 
-std::string number(const Json& value, const std::string& unit = "1") {
+std::string five_digits(const Json& value, const std::string& unit = "1") {
   if (!value.is_number()) return "?";
   return fmt::format("{:.5g}{}", value.get<double>(), unit.empty() || unit == "1" ? "" : " " + unit);
 }
@@ -160,22 +165,25 @@ std::string minimise_text(const Json& j) {
           : j["result"].get<std::string>();
   if (j["best"].is_null()) return fmt::format("{}: no evaluation keeps the limits\n", what);
   const Json& best = j["best"];
-  std::string text = fmt::format("smallest {}: {}", what, number(best["value"], unit));
+  std::string text = fmt::format("smallest {}: {}", what, five_digits(best["value"], unit));
   if (best["low"].is_number() || best["high"].is_number())
-    text += fmt::format(" (95 % interval {} to {})", number(best["low"]), number(best["high"], unit));
+    text += fmt::format(" (95 % interval {} to {})", five_digits(best["low"]), five_digits(best["high"], unit));
   text += fmt::format(", {} {}\n",
                       j["method"] == name_of(MinimiseMethod::direct) ? "in the middle of the ranges" : "at the start",
-                      number(j["start"]["value"], unit));
+                      five_digits(j["start"]["value"], unit));
   for (const auto& [name, value] : best["parameters"].items())
-    text += fmt::format("  {} = {}\n", name, number(value, j["units"].value(name, "1")));
+    text += fmt::format("  {} = {}\n", name, five_digits(value, j["units"].value(name, "1")));
   for (const auto& limit : best["limits"]) {
     const std::string its = limit["unit"];
     if (limit.contains("max"))
       text += fmt::format("  {}: {}, at most {} allowed\n", limit["result"].get<std::string>(),
-                          number(limit["value"], its), number(limit["max"], its));
+                          five_digits(limit["value"], its), five_digits(limit["max"], its));
     if (limit.contains("min"))
       text += fmt::format("  {}: {}, at least {} asked\n", limit["result"].get<std::string>(),
-                          number(limit["lower_value"], its), number(limit["min"], its));
+                          five_digits(limit["lower_value"], its), five_digits(limit["min"], its));
+    if (const auto n = limit["undefined"].get<std::size_t>(); n > 0)
+      text += fmt::format("  {}: {} of {} drops cannot be judged (docs/how-to/limits.md)\n",
+                          limit["result"].get<std::string>(), n, j["drops_of_evaluation"].get<std::size_t>());
   }
   const auto first = best["points"][0].get<std::size_t>(), last = best["points"][1].get<std::size_t>();
   std::size_t n_all_used = 0;

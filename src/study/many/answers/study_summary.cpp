@@ -10,11 +10,11 @@
 #include "io/checkpoint.h"
 #include "study/json_number.h"
 #include "study/many/answers/fit_summary.h"
+#include "study/many/answers/limit_verdicts.h"
 #include "study/many/answers/search_summary.h"
 #include "study/many/answers/sensitivity.h"
 #include "study/many/answers/surrogate_summary.h"
 #include "study/many/study_folder.h"
-#include "study/result_limits.h"
 
 namespace rotordrop {
 namespace {
@@ -93,19 +93,8 @@ Json result_summary(const Study& study, const Design& design, const ResultColumn
   return j;
 }
 
-/// Numbers of a drop by which it is known whether limits can be assessed; none of a drop that is not done.
-using ToldNumbers = std::vector<std::pair<std::string, double>>;
-std::vector<ToldNumbers> told_numbers(const StudyTable& table) {
-  std::vector<ToldNumbers> told(table.n_points);
-  for (const auto& column : table.results)
-    if (tells_contact(column.name) || tells_truncation(column.name))
-      for (std::size_t k = 0; k < table.n_points; ++k)
-        if (table.status[k] == PointStatus::done) told[k].emplace_back(column.name, column.values[k]);
-  return told;
-}
-
-Json limit_summary(const Study& study, const Design& design, const StudyTable& table,
-                   const std::vector<ToldNumbers>& told, const Limit& limit) {
+Json limit_summary(const Study& study, const Design& design, const StudyTable& table, const LimitVerdicts& verdicts,
+                   const Limit& limit) {
   Json j{{"result", limit.pattern}, {"max", json_number(limit.max)}, {"min", json_number(limit.min)}};
   const ResultColumn* column = table.find(limit.pattern);
   auto points = sample_points(study, design);
@@ -117,16 +106,15 @@ Json limit_summary(const Study& study, const Design& design, const StudyTable& t
   std::map<std::size_t, std::pair<double, double>> of_row;
   for (const auto k : points) {
     if (table.status[k] != PointStatus::done) continue;
-    const double value = column ? column->values[k] : std::nan("");
-    const bool is_broken = (limit.max && value > *limit.max) || (limit.min && value < *limit.min);
-    if (!std::isfinite(value) || is_without_contact(told[k]) || (!is_broken && is_void(limit.pattern, told[k]))) {
+    const auto is_broken = verdicts.breaks(limit, k);
+    if (!is_broken) {
       ++n_undefined;
       continue;
     }
     ++n;
-    broken += is_broken;
+    broken += *is_broken;
     auto& row = of_row[k / n_replicates];
-    row.first += is_broken;
+    row.first += *is_broken;
     row.second += 1.;
   }
   for (const auto& [row, counts] : of_row) {
@@ -338,10 +326,10 @@ Json study_summary(const Study& study, const Design& design, const StudyTable& t
   if (study.design.size) j["design"]["size"] = *study.design.size;
   j["parameters"] = Json::object();
   for (const auto& p : study.parameters) j["parameters"][p.name] = parameter_summary(p);
-  const auto told = told_numbers(table);
-  j["without_contact"] = std::count_if(told.begin(), told.end(), is_without_contact);
+  const LimitVerdicts verdicts(table);
+  j["without_contact"] = verdicts.n_without_contact();
   j["limits"] = Json::array();
-  for (const auto& limit : study.limits) j["limits"].push_back(limit_summary(study, design, table, told, limit));
+  for (const auto& limit : study.limits) j["limits"].push_back(limit_summary(study, design, table, verdicts, limit));
   if (study.fit) j["fit"] = fit_summary(study, design, table);
   if (study.minimise) j["minimise"] = minimise_summary(study, design, table);
   if (study.choice) j["choose"] = choice_summary(study, design, table);
