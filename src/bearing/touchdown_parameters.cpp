@@ -151,12 +151,11 @@ void add_row_keys(Section<TouchdownParameters>& s) {
               .range = positive(),
               .help = "Axial distance between neighbouring rows; width / rows if not given."});
   s.text("ball", &P::ball, {.fallback = "steel", .help = "Material of the balls, a name of [materials]."});
-  s.text("ring", &P::ring,
-         {.fallback = "steel", .help = "Material of rings, housing and shaft lump, a name of [materials]."});
+  s.text("ring", &P::ring, {.fallback = "steel", .help = "Material of rings and housing, a name of [materials]."});
   s.text("journal", &P::journal,
-         {.help = "Material of the rotor where it rubs in the bore, a name of [materials]: its conductivity and heat "
-                  "capacity count for local temperatures and the Jaeger share. That of `ring` if not given. Elasticity "
-                  "is that of the rotor's geometry."});
+         {.help = "Material of the rotor under the bearing, a name of [materials], for all that concerns heat: the "
+                  "shaft's capacity, conduction and thermal growth, local temperatures and the Jaeger share. That of "
+                  "`ring` if not given. Elasticity is that of the rotor's geometry."});
   s.choice(
       "elliptic_integrals", &P::elliptic_integrals,
       {{"fit", EllipticIntegrals::brewe_hamrock}, {"exact", EllipticIntegrals::exact}},

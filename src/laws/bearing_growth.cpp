@@ -14,7 +14,7 @@ GrowthPerRise growth_per_rise(const GrowthDimensions& d, double constraint) {
   return {.bore = alpha * d.bore_radius,
           .inner_race = alpha * d.races.inner,
           .outer_race = alpha * d.races.outer,
-          .shaft = d.ring_expansion * d.shaft_radius,
+          .shaft = d.shaft_expansion * d.shaft_radius,
           .ball = d.ball_expansion * d.ball_radius,
           .inner_width = alpha * d.races.width,
           .outer_width = alpha * d.races.width};

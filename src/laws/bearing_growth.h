@@ -17,8 +17,8 @@ struct RaceSurfaces {
 RaceSurfaces contact_point_surfaces(double ball_diameter, double pitch_diameter, double contact_angle, double width);
 
 struct GrowthDimensions {
-  double ring_expansion = 0, ball_expansion = 0;              ///< alpha [1/K]
-  double shaft_radius = 0, bore_radius = 0, ball_radius = 0;  ///< [m]
+  double ring_expansion = 0, ball_expansion = 0, shaft_expansion = 0;  ///< alpha [1/K]
+  double shaft_radius = 0, bore_radius = 0, ball_radius = 0;           ///< [m]
   RaceSurfaces races;
 };
 

@@ -16,13 +16,23 @@ ThermalMaterial thermal_material(const MaterialParameters& m, double ambient) {
   return t;
 }
 
+const MaterialParameters& shaft_material(const MachineParameters& p, const TouchdownParameters& b) {
+  return material_of(p, b.journal.value_or(b.ring));
+}
+
+std::vector<std::string> meshed_materials(const MachineParameters& p, const TouchdownParameters& b) {
+  std::vector<std::string> names{b.ring};
+  if (b.journal && *b.journal != b.ring && p.thermal.fe.shaft != FeShaft::lump) names.push_back(*b.journal);
+  return names;
+}
+
 namespace {
 
 RowConduction row_conduction(const MachineParameters& p, const TouchdownParameters& b, const BallRowGeometry& row) {
   const auto& t = p.thermal;
   const auto body = [&](const std::string& name) {
     const ThermalMaterial m = thermal_material(material_of(p, name), p.run.ambient);
-    return ConductingBody{m.conductivity, m.density * m.heat_capacity};
+    return ConductingBody{m.conductivity, m.volumetric_capacity()};
   };
   const ConductingBody ring = body(b.ring), ball = body(b.ball);
   const auto contact = [&](const RaceContact& race) {
@@ -75,6 +85,7 @@ BearingCircuitData circuit_data(const MachineParameters& p, const std::string& n
   c.name = name;
   c.ring = thermal_material(material_of(p, b.ring), p.run.ambient);
   c.ball = thermal_material(material_of(p, b.ball), p.run.ambient);
+  c.shaft = thermal_material(shaft_material(p, b), p.run.ambient);
   c.width = b.width;
   c.journal_radius = bore_radius(b, p.contact) - air_gap(b, p.contact);
   c.ring_mass = b.ring_mass;

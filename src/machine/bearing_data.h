@@ -12,6 +12,11 @@ namespace rotordrop {
 /// A material as parts without a section take it: of a table its value at ambient.
 ThermalMaterial thermal_material(const MaterialParameters& material, double ambient);
 
+/// The rotor's material at a touchdown bearing, for all that concerns heat: that of the ring if none is named.
+const MaterialParameters& shaft_material(const MachineParameters& parameters, const TouchdownParameters& bearing);
+/// Names of the materials of what finite elements mesh of a touchdown bearing.
+std::vector<std::string> meshed_materials(const MachineParameters& parameters, const TouchdownParameters& bearing);
+
 /// What a touchdown bearing takes from the case around it.
 TouchdownSurroundings touchdown_surroundings(const MachineParameters& parameters, const TouchdownParameters& bearing);
 

@@ -100,18 +100,21 @@ void check_tables(const MachineParameters& p, const Node& case_node, Faults& fau
   std::vector<std::string> told;
   for (const auto& entry : p.bearings) {
     const auto* b = entry.touchdown();
-    const auto* m = b ? find_material(p, b->ring) : nullptr;
-    if (!m || std::find(told.begin(), told.end(), b->ring) != told.end()) continue;
-    told.push_back(b->ring);
-    const Node& materials = table_of(case_node, "materials");
-    const Node* own = materials.find(b->ring);
-    for (const auto& [key, values] : {std::pair("k_table", &m->k_table), std::pair("c_table", &m->c_table)})
-      if (*values && !PropertyTable(**values).is_constant())
-        faults.add(position_of(own ? *own : materials, key),
-                   fmt::format("materials.{}.{} depends on temperature, but thermal.fe.coupling = \"{}\" uses the "
-                               "modes of a linear problem.",
-                               b->ring, key, coupling),
-                   "Take thermal.fe.coupling = \"windowed\", or constant k and c.");
+    if (!b) continue;
+    for (const auto& name : meshed_materials(p, *b)) {
+      const auto* m = find_material(p, name);
+      if (!m || std::find(told.begin(), told.end(), name) != told.end()) continue;
+      told.push_back(name);
+      const Node& materials = table_of(case_node, "materials");
+      const Node* own = materials.find(name);
+      for (const auto& [key, values] : {std::pair("k_table", &m->k_table), std::pair("c_table", &m->c_table)})
+        if (*values && !PropertyTable(**values).is_constant())
+          faults.add(position_of(own ? *own : materials, key),
+                     fmt::format("materials.{}.{} depends on temperature, but thermal.fe.coupling = \"{}\" uses the "
+                                 "modes of a linear problem.",
+                                 name, key, coupling),
+                     "Take thermal.fe.coupling = \"windowed\", or constant k and c.");
+    }
   }
 }
 

@@ -168,7 +168,7 @@ Section<RunParameters> run_section() {
 }
 
 Section<MaterialParameters> material_section() {
-  Section<MaterialParameters> s("material", "A material of rings, balls, housing and shaft lumps.");
+  Section<MaterialParameters> s("material", "A material of rings, balls, housing and shaft.");
   add_material_keys(s, 10.);
   s.quantity("temperature_limit", &MaterialParameters::temperature_limit,
              {.unit = "K",

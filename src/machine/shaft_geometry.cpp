@@ -9,6 +9,8 @@
 #include <optional>
 #include <utility>
 
+#include "machine/bearing_data.h"
+
 namespace rotordrop {
 namespace {
 
@@ -105,7 +107,7 @@ std::vector<FinNode> shaft_fins(const MachineParameters& p, const TouchdownParam
   if (!span) return {};
   const RotorGeometry& g = p.rotor.geometry;
   const double at = g.position(b.node), half = 0.5 * circuit.shaft_length;
-  const double k = circuit.ring.conductivity, d = 2. * circuit.journal_radius;
+  const double k = circuit.shaft.conductivity, d = 2. * circuit.journal_radius;
   const double longest = longest_fin(k, d, circuit.h_shaft);
   // Heat enters evenly along the lump and leaves it at both faces.
   const double before = half / (3. * k * 0.25 * pi * d * d);
@@ -121,7 +123,7 @@ std::vector<FinNode> shaft_fins(const MachineParameters& p, const TouchdownParam
       from += l;
     }
     if (std::any_of(pieces.begin(), pieces.end(), [](const auto& piece) { return piece.section <= 0.; })) continue;
-    const double rho_c = circuit.ring.density * circuit.ring.heat_capacity;
+    const double rho_c = circuit.shaft.volumetric_capacity();
     for (auto& node : fin_nodes(side, pieces, before, circuit.h_shaft, k, rho_c)) fins.push_back(std::move(node));
   }
   return fins;
@@ -133,7 +135,7 @@ std::vector<ShaftStep> shaft_steps(const MachineParameters& p, const TouchdownPa
   const RotorGeometry& g = p.rotor.geometry;
   const double at = g.position(b.node), half = 0.5 * b.shaft_lump_length.value_or(b.width);
   const double journal = 2. * (bore_radius(b, p.contact) - air_gap(b, p.contact));
-  const auto& material = material_of(p, b.ring);
+  const auto& material = shaft_material(p, b);
   const double k = material.k_table ? PropertyTable(*material.k_table).value(p.run.ambient) : material.k;
   const double reach = p.thermal.fe.shaft_reach.value_or(longest_fin(k, journal, p.thermal.h_shaft));
   std::vector<ShaftStep> steps;

@@ -6,7 +6,7 @@ namespace rotordrop {
 
 /// The rotor's shaft beside a touchdown bearing as fins, from the diameters of its beam elements; to the rotor's end, or half-way to the next
 /// touchdown bearing. Fins end after 4/m, from where on less than 0.1 % of their heat is missing. A side on which the rotor ends with the bearing has none.
-/// @param circuit  of the bearing: its material, convection and shaft lump
+/// @param circuit  of the bearing: the shaft's material, convection and lump
 std::vector<FinNode> shaft_fins(const MachineParameters& parameters, const TouchdownParameters& bearing,
                                 const BearingCircuitData& circuit);
 

@@ -1,5 +1,7 @@
 #include "machine/static_growth.h"
 
+#include "machine/bearing_data.h"
+
 namespace rotordrop {
 
 RaceSurfaces race_surfaces(const MachineParameters& p, const TouchdownParameters& b) {
@@ -9,9 +11,10 @@ RaceSurfaces race_surfaces(const MachineParameters& p, const TouchdownParameters
 }
 
 Expansion even_growth(const MachineParameters& p, const TouchdownParameters& b) {
-  const GrowthPerRise g = growth_per_rise(
-      {material_of(p, b.ring).alpha, material_of(p, b.ball).alpha, bore_radius(b, p.contact) - air_gap(b, p.contact),
-       0.5 * b.inner_ring_diameters[0], 0.5 * b.ball_diameter, race_surfaces(p, b)});
+  const GrowthPerRise g =
+      growth_per_rise({material_of(p, b.ring).alpha, material_of(p, b.ball).alpha, shaft_material(p, b).alpha,
+                       bore_radius(b, p.contact) - air_gap(b, p.contact), 0.5 * b.inner_ring_diameters[0],
+                       0.5 * b.ball_diameter, race_surfaces(p, b)});
   return {.shaft = g.shaft,
           .bore = g.bore,
           .inner_race = g.inner_race,

@@ -257,7 +257,8 @@ void add_geometry(py::module_& core) {
       .def_readonly("poisson_ratio", &M::poisson_ratio, "[1]");
   py::class_<B>(core, "ThermalBearing", "Dimensions and materials of a touchdown bearing.")
       .def_readonly("name", &B::name, "of the bearing")
-      .def_readonly("ring", &B::ring, "material of rings, housing and shaft")
+      .def_readonly("ring", &B::ring, "material of rings and housing")
+      .def_readonly("shaft", &B::shaft, "material of the shaft")
       .def_readonly("ball", &B::ball, "material of the balls")
       .def_readonly("width", &B::width, "all rows [m]")
       .def_readonly("journal_radius", &B::journal_radius, "[m]")

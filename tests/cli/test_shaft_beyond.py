@@ -33,8 +33,10 @@ class ShaftBeyond(ProgramTest):
         summary = self.summary("out")
         return {name: probe["temperature"][-1] - AMBIENT for name, probe in summary["probes"].items()}, summary
 
-    def steady(self, section, h):
+    def steady(self, section, h, k=K):
+        """@param k  of the shaft; that of the ring is K"""
         self.uniform_rotor()
+        own = "" if k == K else f'[bearings.TB1]\njournal = "own"\n[materials]\nown = {{ E = 2.0e11, nu = 0.3, alpha = 11.8e-6, k = {k}, c = 510, rho = 7800 }}\n'
         at = {f"s{i}": f"body = \"shaft_right_1\"\nx = {10e-3 + 0.03 * i}\nr = {0.5 * D / math.sqrt(2)}" for i in range(0, 8)}
         rise, summary = self.heat(f'''
 [thermal]
@@ -53,13 +55,13 @@ time_tolerance = 1e-4
 port = "rub-into-shaft"
 times = [0]
 values = ["{WATTS} W"]
-''', {**at, "left": 'boundary = "shaft.left"', "right": 'boundary = "shaft.right"', "surface": 'boundary = "shaft.outer"', "bore": 'boundary = "inner_ring.inner"'})
-        biot = h * D / (2 * K)
-        m, A, W = math.sqrt(4 * h / (K * D)), math.pi * D**2 / 4, 20e-3
+{own}''', {**at, "left": 'boundary = "shaft.left"', "right": 'boundary = "shaft.right"', "surface": 'boundary = "shaft.outer"', "bore": 'boundary = "inner_ring.inner"'})
+        biot = h * D / (2 * k)
+        m, A, W = math.sqrt(4 * h / (k * D)), math.pi * D**2 / 4, 20e-3
         # The left side ends with the rotor: node 2 is at 45 mm, the bearing's face 10 mm from it.
         lengths = {"left": 0.035, "right": 0.3}
-        into_fins = sum(K * A * m * math.tanh(m * L) * rise[side] for side, L in lengths.items())
-        left_over = WATTS - rise["surface"] * h * math.pi * D * W - (rise["surface"] - rise["bore"]) * 4 * math.pi * K * W
+        into_fins = sum(k * A * m * math.tanh(m * L) * rise[side] for side, L in lengths.items())
+        left_over = WATTS - rise["surface"] * h * math.pi * D * W - (rise["surface"] - rise["bore"]) * 4 * math.pi * k * W
         print(f"{section}, h = {h}: {into_fins:.4f} W into the fins by the closed form, {left_over:.4f} W by the balance")
         self.assertGreater(into_fins, 0.05 * WATTS)
         self.assertLess(abs(left_over / into_fins - 1), biot / 4)
@@ -72,6 +74,31 @@ values = ["{WATTS} W"]
 
     def test_a_long_shaft_is_a_fin(self):
         self.steady("grooved", 20)
+
+    def test_a_shaft_of_another_material_is_a_fin_of_its_own(self):
+        self.steady("grooved", 20, k=35.0)
+
+    def test_a_lump_has_the_capacity_of_its_own_material(self):
+        rises = {}
+        for rho in (7800, 3900):
+            rises[rho], _ = self.heat(f'''
+[bearings.TB1]
+journal = "own"
+[materials]
+own = {{ E = 2.0e11, nu = 0.3, alpha = 11.8e-6, k = {K}, c = 510, rho = {rho} }}
+[thermal]
+models = ["fe"]
+shaft = "fin"
+[heat]
+bearing = "TB1"
+output_times = ["10 ms"]
+[[heat.source]]
+port = "rub-into-shaft"
+times = [0]
+values = ["{WATTS} W"]
+''', {"shaft": 'node = "shaft"'})
+            # Before it flows; the fin takes 0.1 % of it by then.
+            self.assertAlmostEqual(rises[rho]["shaft"] * rho * 510 * math.pi / 4 * D**2 * 20e-3 / (WATTS * 10e-3), 1, delta=0.005)
 
     def test_of_plain_sections_too(self):
         self.steady("plain", 20)

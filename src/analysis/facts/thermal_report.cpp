@@ -16,15 +16,12 @@ std::vector<LumpedBody> lumped_bodies(const MachineParameters& parameters, const
 RubSurfaces rub_surfaces(const MachineParameters& parameters, const std::string& name,
                          const TouchdownParameters& bearing, double band_length) {
   const auto c = circuit_data(parameters, name, bearing);
-  const auto rotor =
-      thermal_material(material_of(parameters, bearing.journal.value_or(bearing.ring)), parameters.run.ambient);
-  const double capacity = c.ring.density * c.ring.heat_capacity;
   RubSurfaces s;
-  s.bore = {bore_radius(bearing, parameters.contact), c.ring.conductivity, capacity,
+  s.bore = {bore_radius(bearing, parameters.contact), c.ring.conductivity, c.ring.volumetric_capacity(),
             0.5 * (c.inner_outside - c.inner_bore)};
   s.rotor_radius = c.journal_radius;
-  s.rotor_conductivity = rotor.conductivity;
-  s.rotor_capacity = rotor.density * rotor.heat_capacity;
+  s.rotor_conductivity = c.shaft.conductivity;
+  s.rotor_capacity = c.shaft.volumetric_capacity();
   s.half_width = 0.5 * band_length;
   s.axial_width = rub_length(parameters, bearing);
   return s;

@@ -61,7 +61,7 @@ void look_at_contacts(const std::string& name, const TouchdownParameters& b, con
       !b.journal && std::fabs(of_rotor - of_ring) > 0.15 * of_ring)
     warn(warnings, position_of(table_at(tree, "bearings"), name),
          fmt::format("the rotor's surface at bearings.{} has a modulus of {:.4g} GPa, the material \"{}\" of its ring "
-                     "{:.4g} GPa: where they rub, conductivity and heat capacity of both are those of \"{}\".",
+                     "{:.4g} GPa: conductivity, heat capacity and thermal expansion of both are those of \"{}\".",
                      name, of_rotor * 1e-9, b.ring, of_ring * 1e-9, b.ring),
          fmt::format("Name the rotor's material by bearings.{}.journal.", name));
   if (const auto& given = b.ring_diametral_inertia;

@@ -28,7 +28,7 @@ HeatInput = _core.HeatInput
 both races; the same by row in `rows` if finite elements run besides and rows may be loaded differently, else empty; `is_in_contact`; `rotor_surface_speed`, `ring_surface_speed` [m/s]; `balls`, what rolling balls conduct (`inner_to_ball`, `outer_to_ball`, `inner_to_outer` [W/K])."""
 
 ThermalBearing = _core.ThermalBearing
-"""What a thermal model is told about a touchdown bearing: `name`; materials `ring`, `ball` (`conductivity`, `heat_capacity`, `density`, `expansion`, `poisson_ratio`); dimensions [m];
+"""What a thermal model is told about a touchdown bearing: `name`; materials `ring`, `ball`, `shaft` (`conductivity`, `heat_capacity`, `density`, `expansion`, `poisson_ratio`); dimensions [m];
 `capacities` [J/K] and `resistances` [K/W] of the lumped circuit; `growth(shaft=, inner_ring=, outer_ring=, ball=)`, the Expansion when each part is evenly warmer by so much [K]."""
 
 

@@ -112,14 +112,14 @@ std::shared_ptr<const ThermalModel> section_of(const Case& c, const std::string&
     throw InputError(position_of(c.tree, "preload"),
                      model + " cannot include what thermal.node and thermal.resistor add to the circuit.",
                      "Leave them out, or take " + circuit + ".");
-  const auto& ring = material_of(p, touchdown_of(p, bearing).ring);
-  if ((ring.k_table && !PropertyTable(*ring.k_table).is_constant()) ||
-      (ring.c_table && !PropertyTable(*ring.c_table).is_constant()))
-    throw InputError(position_of(c.tree, "preload"),
-                     model +
-                         " uses the modes of a linear problem, but the ring's k_table or c_table makes its "
-                         "properties depend on temperature.",
-                     "Take constant k and c, or " + circuit + ".");
+  const auto depends = [](const auto& table) { return table && !PropertyTable(*table).is_constant(); };
+  for (const auto& name : meshed_materials(p, touchdown_of(p, bearing)))
+    if (const auto& material = material_of(p, name); depends(material.k_table) || depends(material.c_table))
+      throw InputError(position_of(c.tree, "preload"),
+                       fmt::format("{} uses the modes of a linear problem, but k_table or c_table of materials.{} "
+                                   "makes properties depend on temperature.",
+                                   model, name),
+                       "Take constant k and c, or " + circuit + ".");
   if (touchdown_of(p, bearing).housing_fit < 0. && p.thermal.expansion == GrowthSource::elastic)
     throw InputError(position_of(c.tree, "preload"),
                      fmt::format("{} takes the fit of {} in its housing as closed, and its housing_fit is a clearance.",

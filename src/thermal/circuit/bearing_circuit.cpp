@@ -15,7 +15,7 @@ CircuitResistances circuit_resistances(const BearingCircuitData& b) {
                d_hm = 0.5 * (b.housing_bore + b.housing_outside);
   CircuitResistances R;
   R.R1 = 1. / (b.h_shaft * pi * d_s * W);
-  R.R2 = 1. / (4. * pi * k * W);  // centre to surface
+  R.R2 = 1. / (4. * pi * b.shaft.conductivity * W);  // centre to surface
   R.R3 = std::log(d_mi / d_s) / (2. * pi * k * W);
   R.R4 = std::log(b.inner_outside / d_mi) / (2. * pi * k * W);
   R.R5_inside = 2. / (pi * k_b * b.ball_diameter * Z);
@@ -40,7 +40,8 @@ CircuitResistances circuit_resistances(const BearingCircuitData& b) {
 }
 
 GrowthDimensions growth_dimensions(const BearingCircuitData& b) {
-  return {b.ring.expansion, b.ball.expansion, b.journal_radius, 0.5 * b.inner_bore, 0.5 * b.ball_diameter, b.races};
+  return {b.ring.expansion,      b.ball.expansion, b.shaft.expansion, b.journal_radius, 0.5 * b.inner_bore,
+          0.5 * b.ball_diameter, b.races};
 }
 
 void add_bearing_circuit(const BearingCircuitData& b, ThermalNetworkData& network) {
@@ -56,10 +57,10 @@ void add_bearing_circuit(const BearingCircuitData& b, ThermalNetworkData& networ
   const auto sleeve = [&](double inside, double outside) { return disc(outside) - disc(inside); };
 
   const CircuitFactors& f = b.factors;
-  const double volumetric = b.ring.density * b.ring.heat_capacity;
-  const double C_s = volumetric * disc(d_s) * b.shaft_length;
+  const double volumetric = b.ring.volumetric_capacity();
+  const double C_s = b.shaft.volumetric_capacity() * disc(d_s) * b.shaft_length;
   const double C_i = f.inner_ring_capacity * b.ring_mass * b.ring.heat_capacity;
-  const double C_b = Z * pi / 6. * std::pow(b.ball_diameter, 3) * b.ball.density * b.ball.heat_capacity;
+  const double C_b = Z * pi / 6. * std::pow(b.ball_diameter, 3) * b.ball.volumetric_capacity();
   const double C_o = f.outer_ring_capacity * volumetric * sleeve(b.outer_bore, b.outer_outside) * W;
   const double C_h = f.housing_capacity * volumetric * sleeve(b.housing_bore, b.housing_outside) * b.housing_length;
 

@@ -21,12 +21,14 @@ struct ThermalMaterial {
   double poisson_ratio = 0;
   /// Over temperature, for meshed bodies; the numbers above otherwise.
   std::optional<PropertyTable> conductivity_table = {}, heat_capacity_table = {};
+
+  [[nodiscard]] double volumetric_capacity() const { return density * heat_capacity; }  ///< [J/(m3 K)]
 };
 
 /// What the circuit of one touchdown bearing is made from (docs/theory/model.md; Neisi 2019, section 3.4, fig. 6, table 1).
 struct BearingCircuitData {
   std::string name;                               ///< of the bearing
-  ThermalMaterial ring, ball;                     ///< steel of rings, housing and shaft; balls
+  ThermalMaterial ring, ball, shaft;              ///< ring: also of the housing
   double width = 0;                               ///< W, all rows [m]
   double journal_radius = 0;                      ///< rotor's contact surface [m]
   double ring_mass = 0;                           ///< inner ring(s) [kg]

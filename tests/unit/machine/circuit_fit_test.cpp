@@ -15,7 +15,7 @@ constexpr double ambient = 293.15;
 BearingCircuitData example() {
   BearingCircuitData b;
   b.name = "TB";
-  b.ring = {45., 460., 7800., 1.2e-5, 0.3};
+  b.ring = b.shaft = {45., 460., 7800., 1.2e-5, 0.3};
   b.ball = {30., 800., 3200., 3e-6, 0.26};
   b.width = 0.02;
   b.journal_radius = 0.035;

@@ -14,8 +14,8 @@ using std::numbers::pi;
 BearingCircuitData steel_bearing() {
   BearingCircuitData b;
   b.name = "TB";
-  b.ring = {40., 500., 8000., 1.2e-5, 0.3};  // a = 1e-5 m2/s
-  b.ball = {20., 800., 2500., 3e-6, 0.26};   // a = 1e-5 m2/s
+  b.ring = b.shaft = {40., 500., 8000., 1.2e-5, 0.3};  // a = 1e-5 m2/s
+  b.ball = {20., 800., 2500., 3e-6, 0.26};             // a = 1e-5 m2/s
   b.width = 0.02;
   b.journal_radius = 0.03475;
   b.ring_mass = 0.3;
@@ -84,6 +84,15 @@ TEST(Lumping, ALinkInContactOnlyTakesTheGapIntoAccount) {
   const double per_conductance = 0.03475 / (40. * pi * 0.0695 * 0.02);
   EXPECT_NEAR(body(b, "shaft").biot, per_conductance * (1. / R1 + 1. / (R3 + 1.4)), 1e-12);
   EXPECT_NEAR(permanent, per_conductance * (1. / R1 + 1. / R3), 1e-12);
+}
+
+TEST(Lumping, AShaftIsOfItsOwnMaterial) {
+  auto b = steel_bearing();
+  const double of_steel = body(b, "shaft").biot * 40.;
+  b.shaft = {10., 500., 4000., 1e-5, 0.3};  // a = 5e-6 m2/s
+  EXPECT_NEAR(body(b, "shaft").biot * 10., of_steel, 1e-12);
+  EXPECT_NEAR(body(b, "shaft").diffusivity, 5e-6, 1e-18);
+  EXPECT_NEAR(body(b, "inner_ring").diffusivity, 1e-5, 1e-18);
 }
 
 TEST(Lumping, OuterRingAndHousingMeetAtTheFit) {

@@ -20,7 +20,7 @@ constexpr double ambient = 293.15;
 BearingCircuitData bearing(bool rolls) {
   BearingCircuitData b;
   b.name = "B";
-  b.ring = {46., 470., 7800., 11.8e-6, 0.3};
+  b.ring = b.shaft = {46., 470., 7800., 11.8e-6, 0.3};
   b.ball = {30., 700., 3200., 3.2e-6, 0.26};
   b.width = b.shaft_length = 20e-3;
   b.journal_radius = 34.75e-3;

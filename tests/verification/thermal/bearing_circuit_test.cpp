@@ -34,7 +34,7 @@ const ThermalMaterial steel{70., 510., 7800., 11.8e-6, 0.3}, silicon_nitride{35.
 BearingCircuitData tb1() {
   BearingCircuitData b;
   b.name = "TB1";
-  b.ring = steel;
+  b.ring = b.shaft = steel;
   b.ball = silicon_nitride;
   b.width = b.shaft_length = 20e-3;
   b.journal_radius = 34.75e-3;
@@ -82,7 +82,7 @@ Circuit by_hand(const BearingCircuitData& b) {
                d_hm = 0.5 * (b.housing_bore + b.housing_outside);
   Circuit c;
   c.R[1] = 1. / (b.h_shaft * pi * 2. * b.journal_radius * b.width);
-  c.R[2] = 1. / (4. * pi * b.ring.conductivity * b.width);
+  c.R[2] = 1. / (4. * pi * b.shaft.conductivity * b.width);
   c.R[3] = wall(2. * b.journal_radius, d_mi, b.width);
   c.R[4] = wall(d_mi, b.inner_outside, b.width);
   c.R[5] = (2. / (pi * b.ball_diameter) + 0.5 / b.contact_half_width) / (b.ball.conductivity * b.n_balls);
@@ -91,7 +91,7 @@ Circuit by_hand(const BearingCircuitData& b) {
   c.R[8] = wall(d_om, b.outer_outside, b.width) + b.fit_resistance + wall(b.outer_outside, d_hm, b.housing_length);
   const auto sleeve = [](double d1, double d2, double length) { return 0.25 * pi * (d2 * d2 - d1 * d1) * length; };
   const double rho_c = 7800. * 510.;
-  c.C_s = rho_c * sleeve(0., 2. * b.journal_radius, b.shaft_length);
+  c.C_s = b.shaft.density * b.shaft.heat_capacity * sleeve(0., 2. * b.journal_radius, b.shaft_length);
   c.C_i = b.ring_mass * 510.;
   c.C_b = b.n_balls * pi / 6. * std::pow(b.ball_diameter, 3) * b.ball.density * b.ball.heat_capacity;
   c.C_o = rho_c * sleeve(b.outer_bore, b.outer_outside, b.width);
@@ -337,6 +337,30 @@ TEST(BearingCircuit, GrowsByTheVolumeMeanRise) {
     EXPECT_NEAR(growth.shaft, 11.8e-6 * 34.75e-3 * (T[0] - ambient), 1e-16) << "m";
     EXPECT_NEAR(growth.ball, b.ball.expansion * 0.5 * b.ball_diameter * (T[2] - ambient), 1e-16) << "m: of the radius";
   }
+}
+
+TEST(BearingCircuit, AShaftOfAnotherMaterialChangesItsOwnNumbersAlone) {
+  const ThermalMaterial titanium{7., 540., 4430., 8.6e-6, 0.34};
+  auto b = tb1();
+  const auto d = data_of(b);
+  const auto c = by_hand(b);
+  b.shaft = titanium;
+  b.plane_strain_growth = true;  // a shaft stays free
+  const auto other = data_of(b);
+  ASSERT_EQ(other.nodes.size(), d.nodes.size());
+  const std::string shaft = "TB1/shaft", ring = "TB1/inner_ring";
+  EXPECT_NEAR(capacity(other, shaft), 540. * 4430. * pi * 34.75e-3 * 34.75e-3 * 20e-3, 1e-10) << "J/K";
+  EXPECT_NEAR(resistance(other, shaft, ring), c.R[2] * 70. / 7. + c.R[3], 1e-12) << "K/W";
+  for (std::size_t i = 1; i < d.nodes.size(); ++i) EXPECT_EQ(other.nodes[i].capacity, d.nodes[i].capacity);
+  for (std::size_t i = 0; i < d.resistors.size(); ++i) {
+    if (i == 1) continue;
+    EXPECT_EQ(other.resistors[i].resistance, d.resistors[i].resistance) << d.resistors[i].between;
+  }
+  const std::vector<double> T = {ambient + 10., ambient, ambient, ambient, ambient};
+  Expansion growth;
+  ThermalNetwork(other).growth(T, {&growth, 1});
+  EXPECT_NEAR(growth.shaft, 8.6e-6 * 34.75e-3 * 10., 1e-16) << "m";
+  EXPECT_NEAR(growth_per_rise(growth_dimensions(b), 1.34).shaft, 8.6e-6 * 34.75e-3, 1e-18) << "m/K";
 }
 
 TEST(BearingCircuit, PlaneStrainGrowsRingsByOnePlusPoissonMore) {
