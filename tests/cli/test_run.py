@@ -175,6 +175,12 @@ class Results(ProgramTest):
         for bearing in summary["bearings"].values():
             self.assertAlmostEqual(bearing["first_contact_time"], (2 * 250e-6 / 9.81) ** 0.5, delta=5e-6)
 
+    def test_a_bounce_has_an_apex_once_the_rotor_falls_again(self):
+        # tests/regression/peer-values.json, by an independent program.
+        for end, apex in (("14 ms", None), ("19 ms", -31.93e-6)):
+            found = self.run_case(self.case(""), output=end.replace(" ", ""), run__end_time=end)["bearings"]["TB1"]["first_bounce_apex"]
+            self.assertIs(found, None) if apex is None else self.assertAlmostEqual(found, apex, delta=0.1e-6)
+
     def test_every_dataset_says_what_it_is(self):
         self.run_case(self.case(""))
         with h5py.File(self.folder / "out/results.h5", "r") as file:

@@ -24,18 +24,18 @@ struct BearingColumns {
 /// Scalars of one touchdown bearing, followed from step to step. NaN where something has not happened. Numbers alone: what runs in lanes is copied so.
 template <class Real>
 struct BearingScalarsOf {
-  Real first_contact_time = never;                ///< penetration of the bore first passes zero [s]
-  Real first_contact_end = never;                 ///< and first falls below it [s]
-  Real second_contact_time = never;               ///< [s]
-  Real first_shoulder_contact_time = never;       ///< a shoulder first presses on the ring [s]
-  FollowedPeakOf<Real> contact_force;             ///< [N]
-  Real first_bounce_apex = never;                 ///< highest y of the rotor between first and second contact [m]
-  FollowedPeakOf<Real> friction_heat_rate;        ///< [W]
-  Real catch_up_time = never;                     ///< spin lag first below 1 % [s]
-  FollowedPeakOf<Real> load_torque, spin_torque;  ///< [N m]
-  FollowedPeakOf<Real> inner_heat_rate, outer_heat_rate;                      ///< [W]
-  FollowedPeakOf<Real> ball_force;                                            ///< of the most loaded ball [N]
-  FollowedPeakOf<Real> contact_pressure;                                      ///< of balls and races [Pa]
+  Real first_contact_time = never;                        ///< penetration of the bore first passes zero [s]
+  Real first_contact_end = never;                         ///< and first falls below it [s]
+  Real second_contact_time = never;                       ///< [s]
+  Real first_shoulder_contact_time = never;               ///< a shoulder first presses on the ring [s]
+  FollowedPeakOf<Real> contact_force;                     ///< [N]
+  Real highest_in_first_flight = never;                   ///< y of the rotor between first and second contact [m]
+  FollowedPeakOf<Real> friction_heat_rate;                ///< [W]
+  Real catch_up_time = never;                             ///< spin lag first below 1 % [s]
+  FollowedPeakOf<Real> load_torque, spin_torque;          ///< [N m]
+  FollowedPeakOf<Real> inner_heat_rate, outer_heat_rate;  ///< [W]
+  FollowedPeakOf<Real> ball_force;                        ///< of the most loaded ball [N]
+  FollowedPeakOf<Real> contact_pressure;                  ///< of balls and races [Pa]
   std::array<FollowedPeakOf<Real>, TouchdownBearing::max_rows> row_pressure;  ///< the same of each row [Pa]
   std::array<FollowedTruncationOf<Real>, TouchdownBearing::max_rows> row_truncation;
   std::array<FollowedLoadOf<Real>, TouchdownBearing::max_rows> row_centrifugal;
@@ -47,8 +47,8 @@ struct BearingScalarsOf {
   FollowedRangeOf<Real> axial_force, axial_position;  ///< of rotor on ring [N], of the rotor [m]; of a free ring
   FollowedRangeOf<Real> shoulder_force;               ///< the shoulders' part of the former [N]
   Real ring_speed_end = never;                        ///< [rad/s]
-  // The last step, for crossings.
-  Real time = never, penetration = never, spin_lag = never;
+  // The last step, for crossings and whether the rotor still rises.
+  Real time = never, penetration = never, spin_lag = never, y = never;
 
   /// Calls f(name, numbers) for everything above; numbers: an array of pointers.
   template <class F>
@@ -57,10 +57,10 @@ struct BearingScalarsOf {
     f("first contact end", std::array{&first_contact_end});
     f("second contact time", std::array{&second_contact_time});
     f("first shoulder contact time", std::array{&first_shoulder_contact_time});
-    f("first bounce apex", std::array{&first_bounce_apex});
+    f("highest in first flight", std::array{&highest_in_first_flight});
     f("catch-up time", std::array{&catch_up_time});
     f("ring speed end", std::array{&ring_speed_end});
-    f("last step", std::array{&time, &penetration, &spin_lag});
+    f("last step", std::array{&time, &penetration, &spin_lag, &y});
     f("contact force", contact_force.numbers());
     f("friction heat rate", friction_heat_rate.numbers());
     f("load torque", load_torque.numbers());
@@ -94,6 +94,11 @@ using BearingScalars = BearingScalarsOf<double>;
 [[nodiscard]] inline double first_touch_time(const BearingScalars& s) {
   return std::fmin(s.first_contact_time, s.first_shoulder_contact_time);
 }
+/// Highest y of the rotor between first and second contact [m]; NaN as long as it is not known, since the rotor still rises.
+[[nodiscard]] inline double first_bounce_apex(const BearingScalars& s) {
+  const bool rises_still = std::isnan(s.second_contact_time) && s.y >= s.highest_in_first_flight;
+  return rises_still ? never : s.highest_in_first_flight;
+}
 [[nodiscard]] inline bool has_touched(const BearingScalars& s) { return std::isfinite(first_touch_time(s)); }
 
 /// Time at which a quantity falls or rises through `level` between two instants, by a straight line.
@@ -120,7 +125,7 @@ void follow(BearingScalarsOf<Real>& s, const BearingColumns& c, const MaskOf<Rea
     put(changes & touched & is_never(s.first_contact_end), s.first_contact_end, at);
   }
   const MaskOf<Real> is_first_flight = (!is_never(s.first_contact_end)) & is_never(s.second_contact_time);
-  put(told & is_first_flight & (!(s.first_bounce_apex >= y)), s.first_bounce_apex, y);
+  put(told & is_first_flight & (!(s.highest_in_first_flight >= y)), s.highest_in_first_flight, y);
   const MaskOf<Real> catches_up = told & is_never(s.catch_up_time) & (lag < 0.01);
   if (any(catches_up)) put(catches_up, s.catch_up_time, crossing(s.time, s.spin_lag, t, lag, Real(0.01)));
 
@@ -163,6 +168,7 @@ void follow(BearingScalarsOf<Real>& s, const BearingColumns& c, const MaskOf<Rea
   put(told, s.ring_speed_end, ring_speed);
   put(told, s.time, t);
   put(told, s.penetration, penetration);
+  put(told, s.y, y);
   put(told, s.spin_lag, lag);
 }
 
