@@ -89,7 +89,8 @@ std::string campbell(const CriticalSpeedReport& report, double up_to, double ope
                          to.damping_ratio > 0.3 ? " stroke-dasharray=\"3 3\"" : "");
     }
   }
-  if (operating > 0. && operating <= up_to)
+  const bool shows_operating = operating > 0. && operating <= up_to;
+  if (shows_operating)
     svg += fmt::format("<path d=\"M{0:.1f} {1:.1f}V{2:.1f}\" class=\"operating\"/>\n", axes.x(operating * to_rpm), top,
                        height - bottom);
   for (const auto& one : report.speeds)
@@ -101,8 +102,8 @@ std::string campbell(const CriticalSpeedReport& report, double up_to, double ope
   svg += fmt::format(
       "<text x=\"{:.1f}\" y=\"{:.1f}\" class=\"legend\"><tspan fill=\"#0b62a4\">forward</tspan>  <tspan "
       "fill=\"#c0392b\">backward</tspan>  "
-      "<tspan fill=\"#666666\">planar or mixed</tspan>  dashed: damping above 30 %</text>\n",
-      left, y + 33);
+      "<tspan fill=\"#666666\">planar or mixed</tspan>{}  long dashes: 1x  short dashes: damping above 30 %</text>\n",
+      left, y + 33, shows_operating ? "  <tspan fill=\"#2e8b57\">operating speed</tspan>" : "");
   return svg;
 }
 
