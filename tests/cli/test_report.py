@@ -373,7 +373,26 @@ class Trouble(SharedRun):
     def test_overload_is_warned_of(self):
         with h5py.File(self.folder / "out/results.h5", "r+") as results:
             results["/bearings/TB1/bearing_force"][-3, 0] = 40e3  # C0 is 31 kN
-        self.assertEqual(self.report()[1]["TB1: static load rating"]["state"], "warning")
+        check = self.report()[1]["TB1: static load rating"]
+        self.assertEqual(check["state"], "warning")
+        self.assertIn("largest radial load of the recorded samples 40 kN", check["text"], "peaks between them are not in it")
+
+    def test_contact_pressure_is_that_of_the_worst_row(self):
+        """Of every step, as summary.json has it, not of the recorded rows; these where there is no summary."""
+        with h5py.File(self.folder / "out/results.h5", "r+") as results:
+            results["/bearings/TB2/contact_pressure"][-3, 1] = 4.3e9
+        self.edit("summary.json", lambda summary: summary["bearings"]["TB2"].update(largest_contact_pressure=5e9, rows=[{**row, "largest_contact_pressure": p} for row, p in zip(summary["bearings"]["TB2"]["rows"], (1e9, 5e9))]))
+        data, checks = self.report()
+        check = checks["TB2: contact pressure"]
+        self.assertEqual(check["state"], "warning")
+        self.assertIn("largest 5 GPa, in row 2; limit 4.2 GPa", check["text"])
+        lines = {line["name"]: line for chart in data["charts"] if chart["id"] == "pressures" for line in chart["lines"]}
+        self.assertEqual(list(lines), ["TB1 row 1", "TB2 row 1", "TB2 row 2"])
+        self.assertAlmostEqual(max(lines["TB2 row 2"]["y"]), 4.3, delta=1e-3, msg="GPa")
+        (self.folder / "out/summary.json").unlink()
+        check = self.report("--force")[1]["TB2: contact pressure"]
+        self.assertEqual(check["state"], "warning")
+        self.assertIn("largest 4.3 GPa, in row 2, in the recorded samples", check["text"])
 
     def test_texts_cannot_break_the_page(self):
         with h5py.File(self.folder / "out/results.h5", "r+") as results:

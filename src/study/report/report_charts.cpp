@@ -332,19 +332,32 @@ void add_growth(Charts& c, const RecordedDrop& drop) {
   c.of_supports("clearance", "", 1e6);
 }
 
+/// A line for each column of a dataset.
+/// @param only  what is behind the name if there is one column
+/// @returns     the dash of the next line
+std::size_t add_columns(Charts& c, const RecordedDrop& drop, const std::string& path, const std::string& name,
+                        const std::string& only, double scale, Style style) {
+  const auto columns = drop.meaning(path).columns;
+  for (std::size_t k = 0; k < drop.table(path).n_columns; ++k, ++style.dash)
+    c.recorded(path, name + (columns.size() > 1 ? " " + columns[k] : only), scale, style, k);
+  return style.dash;
+}
+
 void add_balls(Charts& c, const RecordedDrop& drop) {
   c.figure("ball-loads", "Balls", "Load of the most heavily loaded ball in each row", "ball load", "N");
   for (std::size_t i = 0; i < c.names().size(); ++i) {
     const std::string path = "/bearings/" + c.names()[i] + "/ball_force";
-    if (!drop.has(path)) continue;
-    const auto rows = read_attribute_list(drop.directory() / "results.h5", path, "columns");
-    for (std::size_t row = 0; row < std::max<std::size_t>(rows.size(), 1); ++row)
-      c.recorded(path, c.names()[i] + " row " + std::to_string(row + 1), 1., {i, row}, row);
+    if (drop.has(path)) add_columns(c, drop, path, c.names()[i], " row 1", 1., {i, 0});
   }
   c.figure("pressures", "Balls", "Contact pressures", "pressure", "GPa", "ISO 76 has 4.2 GPa as the static limit.");
   for (std::size_t i = 0; i < c.names().size(); ++i) {
+    const std::string own = "/bearings/" + c.names()[i] + "/";
     std::size_t dash = 0;
-    for (const auto& path : drop.pressure_paths(c.names()[i])) c.recorded(path, path.substr(10), 1e-9, {i, dash++});
+    for (const auto& path : drop.pressure_paths(c.names()[i])) {
+      const bool is_of_rows = path == own + "contact_pressure";
+      const std::string name = c.names()[i] + (is_of_rows ? "" : " " + path.substr(own.size()));
+      dash = add_columns(c, drop, path, name, is_of_rows ? " row 1" : "", 1e-9, {i, dash});
+    }
   }
 }
 

@@ -14,6 +14,7 @@
 #include "bearing/touchdown_parameters.h"
 #include "model/run_warning.h"
 #include "study/json_number.h"
+#include "study/report/checks/checks.h"
 #include "study/report/report.h"
 
 namespace rotordrop {
@@ -26,24 +27,6 @@ double temperature_limit(const RecordedDrop& drop, const std::string& material) 
   const auto* found = find_material(drop.parameters(), material);
   return found ? found->temperature_limit.value_or(std::nan("")) : std::nan("");
 }
-
-class Checks {
- public:
-  void add(const std::string& name, bool is_good, const std::string& text) {
-    list_.push_back({{"name", name}, {"state", is_good ? "ok" : "warning"}, {"text", text}});
-  }
-  void unknown(const std::string& name, const std::string& text) {
-    list_.push_back({{"name", name}, {"state", "unknown"}, {"text", text}});
-  }
-  /// The stated value is within its limit, its bounds are not.
-  void uncertain(const std::string& name, const std::string& text) {
-    list_.push_back({{"name", name}, {"state", "uncertain"}, {"text", text}});
-  }
-  [[nodiscard]] Json take() { return std::move(list_); }
-
- private:
-  Json list_ = Json::array();
-};
 
 /// Whether the rotor presses a shoulder on the ring: nothing of what rubs there is computed but force and heat.
 bool is_on_shoulder(const Json& summary, const std::string& name) {
@@ -59,39 +42,6 @@ void check_clearance(Checks& checks, const RecordedDrop& drop, const std::string
   checks.add(name + ": air gap", value > 0.,
              value > 0. ? fmt::format("stays open: smallest {:.4g} µm, at {:.4g} ms", value * 1e6, time * 1e3)
                         : fmt::format("CLOSED by growth: {:.4g} µm at {:.4g} ms", value * 1e6, time * 1e3));
-}
-
-void check_load(Checks& checks, const RecordedDrop& drop, const std::string& name, const TouchdownParameters& b,
-                const std::vector<std::string>& pressure_paths) {
-  const std::string force = "/bearings/" + name + "/bearing_force";
-  if (drop.has(force) && b.C0 > 0.) {
-    const TimeSeries y = drop.series(force, 0), z = drop.series(force, 1);
-    double largest = 0.;
-    for (std::size_t k = 0; k < y.values.size(); ++k) largest = std::max(largest, std::hypot(y.values[k], z.values[k]));
-    const std::string path = "/bearings/" + name + "/axial_force", title = name + ": static load rating";
-    const auto magnitudes = drop.has(path) ? drop.series(path).values : std::vector<double>{};
-    double axial = 0.;
-    for (const double value : magnitudes) axial = std::max(axial, std::fabs(value));
-    if (axial > largest && largest < b.C0)
-      checks.unknown(title, fmt::format("not assessed: C0 = {:.4g} kN is a radial rating, and the axial load of up to "
-                                        "{:.4g} kN is larger than the radial one of up to {:.4g} kN. static_safety, "
-                                        "that of the worst ball, has both",
-                                        b.C0 * 1e-3, axial * 1e-3, largest * 1e-3));
-    else
-      checks.add(title, largest < b.C0,
-                 fmt::format(
-                     "largest radial load {:.4g} kN, C0 = {:.4g} kN; their ratio is {:.3g}.{} static_safety is that of "
-                     "the worst ball, whose load the row does not share evenly",
-                     largest * 1e-3, b.C0 * 1e-3, b.C0 / largest,
-                     axial > 0. ? fmt::format(" The axial load, up to {:.4g} kN, is not in it.", axial * 1e-3) : ""));
-  }
-  double pressure = 0.;
-  for (const auto& path : pressure_paths) pressure = std::max(pressure, largest_of(drop.series(path)).value);
-  if (pressure > 0.)
-    checks.add(
-        name + ": contact pressure", pressure < static_pressure_limit,
-        fmt::format("largest {:.3g} GPa; limit {:.1f} GPa (ISO 76){}", pressure * 1e-9, static_pressure_limit * 1e-9,
-                    b.ring_bending == RingBendingModel::none ? "; rigid rings understate it" : ""));
 }
 
 void check_whirl(Checks& checks, const Json& summary, const std::string& name) {
@@ -353,7 +303,8 @@ Json report_checks(const RecordedDrop& drop, const Json& summary) {
   }
   for (const auto& [name, b] : drop.bearings()) {
     check_clearance(checks, drop, name);
-    check_load(checks, drop, name, b, drop.pressure_paths(name));
+    check_load(checks, drop, name, b);
+    check_pressure(checks, drop, summary, name, b);
     if (!summary.is_null()) {
       check_balls(checks, summary, name);
       check_skidding(checks, summary, name, b);
