@@ -394,6 +394,36 @@ class Trouble(SharedRun):
         self.assertEqual(check["state"], "warning")
         self.assertIn("largest 4.3 GPa, in row 2, in the recorded samples", check["text"])
 
+    def test_ball_loads_stand_at_their_times(self):
+        """However rows are spaced: times squared, and one loaded sample."""
+        with h5py.File(self.folder / "out/results.h5", "r+") as results:
+            loads = results["/bearings/TB2/ball_loads"]
+            times = results[loads.attrs["time"]]
+            end = times[-1]
+            times[:] = times[:] ** 2 / end
+            loads[:] = 0.0
+            k = len(times) // 2
+            loads[k, 3] = 100.0
+            expected = times[k] / end
+        picture = {bearing["name"]: bearing for bearing in self.report()[0]["ball_loads"]}["TB2"]
+        row = picture["loads"][3]
+        loaded = [i for i, load in enumerate(row) if load]
+        self.assertEqual(loaded[0], int(expected * len(row)), "a quarter of the drop, not half of it")
+        self.assertTrue(picture["is_held"])
+        # Between rows far apart the load is that of the row before, not the largest one of the interval before.
+        with h5py.File(self.folder / "out/results.h5", "r+") as results:
+            loads = results["/bearings/TB2/ball_loads"]
+            times = results[loads.attrs["time"]]
+            n = len(times)
+            times[:] = numpy.append(numpy.linspace(0.0, 0.1 * end, n - 1), end)
+            loads[:] = 0.0
+            loads[n - 3, 3] = 100.0
+            loads[n - 2, 3] = 20.0
+            loads[n - 1, 3] = 60.0
+        row = {bearing["name"]: bearing for bearing in self.report("--force")[0]["ball_loads"]}["TB2"]["loads"][3]
+        self.assertEqual(row, [0] * (n // 10) + [100] + [20] * (n - 2 - n // 10) + [60])
+        self.assertFalse([b["is_held"] for b in self.data["ball_loads"] if b["is_held"]], "even rows")
+
     def test_texts_cannot_break_the_page(self):
         with h5py.File(self.folder / "out/results.h5", "r+") as results:
             results.attrs["case"] = "</script><b>&"

@@ -49,7 +49,7 @@ function showBallLoads(bearing, into) {
   }
   text(left + width / 2, height + 44, "middle", "time [ms]", { class: "x-label" });
   svg.append(element("text", { class: "y-label", "text-anchor": "middle", transform: `translate(13 ${top + height / 2}) rotate(-90)` }, "ball (colour: load [N])"));
-  const caption = element("p", { class: "note" }, `Balls of each row from top to bottom, 1 to ${bearing.balls_per_row}; darker means a higher load. Each point is the largest recorded load in its time interval (0-peak).`);
+  const caption = element("p", { class: "note" }, `Balls of each row from top to bottom, 1 to ${bearing.balls_per_row}; darker means a higher load. Each point is the largest recorded load in its time interval (0-peak)` + (bearing.is_held ? "; one without a recorded sample shows the load of the last sample before." : "."));
   const figure = element("figure", { class: "map", id: "figure-balls-" + bearing.name }, element("figcaption", {}, `${bearing.name}: load of every ball`), svg, caption);
   svg.onpointermove = (event) => {
     const box = svg.getBoundingClientRect();

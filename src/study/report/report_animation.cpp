@@ -64,32 +64,54 @@ void add_probe_frames(const RecordedDrop& drop, std::size_t n_frames, Json& anim
   }
 }
 
+/// Largest value in each of equal spans of time from 0 to the last row.
+struct SpanPeaks {
+  std::vector<double> values;  ///< a span without a row has the value of the last row before
+  bool is_held = false;        ///< some have
+};
+SpanPeaks peaks_of_spans(const TimeSeries& s, std::size_t n_spans) {
+  SpanPeaks peaks;
+  double before = s.values.front();
+  std::size_t row = 0;
+  for (std::size_t span = 1; span <= n_spans; ++span) {
+    const double end = s.times.back() * static_cast<double>(span) / static_cast<double>(n_spans);
+    double peak = before;
+    bool has_row = false;
+    for (; row < s.times.size() && (s.times[row] < end || span == n_spans); ++row) {
+      peak = has_row ? std::max(peak, s.values[row]) : s.values[row];
+      before = s.values[row];
+      has_row = true;
+    }
+    peaks.values.push_back(peak);
+    peaks.is_held = peaks.is_held || !has_row;
+  }
+  return peaks;
+}
+
 }  // namespace
 
 Json report_ball_loads(const RecordedDrop& drop) {
-  constexpr std::size_t n_spans = 400;
+  constexpr std::size_t most_spans = 400;
   Json all = Json::array();
   for (const auto& [name, parameters] : drop.bearings()) {
     const std::string path = "/bearings/" + name + "/ball_loads";
     if (!drop.has(path)) continue;
-    const auto balls = read_attribute_list(drop.directory() / "results.h5", path, "columns");
     Json loads = Json::array();
     double largest = 0., end = 0.;
-    for (std::size_t ball = 0; ball < balls.size(); ++ball) {
+    bool is_held = false;
+    for (std::size_t ball = 0; ball < drop.table(path).n_columns; ++ball) {
       const TimeSeries s = drop.series(path, ball);
       end = s.times.back();
-      const std::size_t n = s.values.size(), stride = (n + n_spans - 1) / n_spans;
-      std::vector<double> peaks;
-      for (std::size_t k = 0; k < n; k += stride)
-        peaks.push_back(*std::max_element(s.values.begin() + static_cast<std::ptrdiff_t>(k),
-                                          s.values.begin() + static_cast<std::ptrdiff_t>(std::min(k + stride, n))));
-      largest = std::max(largest, *std::max_element(peaks.begin(), peaks.end()));
-      loads.push_back(rounded(peaks, 1., 3));
+      const SpanPeaks peaks = peaks_of_spans(s, std::min(most_spans, s.times.size()));
+      is_held = peaks.is_held;
+      largest = std::max(largest, *std::max_element(peaks.values.begin(), peaks.values.end()));
+      loads.push_back(rounded(peaks.values, 1., 3));
     }
     if (!(largest > 0.)) continue;
     all.push_back({{"name", name},
                    {"end", 1e3 * end},
                    {"largest", largest},
+                   {"is_held", is_held},
                    {"balls_per_row", parameters.balls_per_row},
                    {"loads", std::move(loads)}});
   }
