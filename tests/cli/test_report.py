@@ -394,6 +394,18 @@ class Trouble(SharedRun):
         self.assertEqual(check["state"], "warning")
         self.assertIn("largest 4.3 GPa, in row 2, in the recorded samples", check["text"])
 
+    def test_the_slider_begins_at_the_largest_force_of_all_bearings(self):
+        with h5py.File(self.folder / "out/results.h5", "r+") as results:
+            times = results["/time"][:]
+            results["/bearings/TB1/contact_force"][50] = 6e4
+            results["/bearings/TB2/contact_force"][70] = 7e4
+            shoulder = results.create_dataset("/bearings/TB1/shoulder_force", data=numpy.zeros(len(times)))
+            shoulder.attrs.update(dict(results["/bearings/TB1/contact_force"].attrs))
+        self.assertAlmostEqual(self.report()[0]["animation"]["start"], 1e3 * times[70], delta=1e-9, msg="ms")
+        with h5py.File(self.folder / "out/results.h5", "r+") as results:
+            results["/bearings/TB1/shoulder_force"][90] = -8e4
+        self.assertAlmostEqual(self.report("--force")[0]["animation"]["start"], 1e3 * times[90], delta=1e-9, msg="a shoulder, along -x")
+
     def test_ball_loads_stand_at_their_times(self):
         """However rows are spaced: times squared, and one loaded sample."""
         with h5py.File(self.folder / "out/results.h5", "r+") as results:

@@ -118,9 +118,27 @@ Json report_ball_loads(const RecordedDrop& drop) {
   return all;
 }
 
+namespace {
+
+/// Instant of the largest recorded contact force of all bearings, shoulders included [s].
+double start_of_slider(const RecordedDrop& drop) {
+  Extreme largest;
+  for (const auto& [name, parameters] : drop.bearings())
+    for (const char* dataset : {"contact_force", "shoulder_force"}) {
+      const std::string path = "/bearings/" + name + "/" + dataset;
+      if (!drop.has(path)) continue;
+      TimeSeries magnitude = drop.series(path);
+      for (double& v : magnitude.values) v = std::fabs(v);
+      if (const Extreme here = largest_of(magnitude); here.value > largest.value) largest = here;
+    }
+  return largest.time;
+}
+
+}  // namespace
+
 Json report_animation(const RecordedDrop& drop) {
   constexpr std::size_t n_frames = 3000;
-  Json animation = {{"bearings", Json::array()}};
+  Json animation = {{"start", 1e3 * start_of_slider(drop)}, {"bearings", Json::array()}};
   for (const auto& [name, parameters] : drop.bearings()) {
     const std::string prefix = "/bearings/" + name + "/";
     const TimeSeries y = drop.series(prefix + "orbit", 0), z = drop.series(prefix + "orbit", 1),
@@ -155,7 +173,6 @@ Json report_animation(const RecordedDrop& drop) {
                                      {"rotor_angle", turned(spin)},
                                      {"ring_angle", turned(angle)}});
     if (Json shape = ring_shape(drop, name); !shape.is_null()) animation["bearings"].back()["shape"] = std::move(shape);
-    if (!animation.contains("start")) animation["start"] = largest_of(force).time * 1e3;
   }
   add_probe_frames(drop, n_frames, animation);
   return animation;
