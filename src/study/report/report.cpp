@@ -107,6 +107,7 @@ Json data_of(const RecordedDrop& drop, const Json& summary, const Json& comparis
   ReportSpectra spectra = report_spectra(drop);
   for (Json& chart : spectra.charts) data["charts"].push_back(std::move(chart));
   data["waterfalls"] = std::move(spectra.waterfalls);
+  if (!spectra.note.empty()) data["spectra_note"] = spectra.note;
   data["fields"] = report_fields(drop);
   data["ball_loads"] = report_ball_loads(drop);
   if (!comparison.is_null())

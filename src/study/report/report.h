@@ -33,6 +33,7 @@ void add_limits(const RecordedDrop& drop, const nlohmann::ordered_json& summary,
 /// Spectra of orbits and forces (spectrum.h), as figures and as pictures over time.
 struct ReportSpectra {
   nlohmann::ordered_json charts, waterfalls;
+  std::string note;  ///< why there are none
 };
 ReportSpectra report_spectra(const RecordedDrop& drop);
 /// The machine from the side [mm]: elements of the shaft, masses, unbalances, probes, supports, centre of gravity.

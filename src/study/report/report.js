@@ -180,6 +180,7 @@ for (const chart of data.charts) {
   }
   new Figure(chart, sections.get(chart.section));
 }
+if (data.spectra_note) (sections.has("Spectra") ? sections.get("Spectra").parentNode : section("Spectra")).append(element("p", { class: "note" }, data.spectra_note));
 for (const fall of data.waterfalls) showWaterfall(fall, sections.get("Spectra"));
 for (const bearing of data.ball_loads) showBallLoads(bearing, sections.get("Balls"));
 if (data.comparison)

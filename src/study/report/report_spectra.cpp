@@ -23,13 +23,63 @@ std::string frequency_label(bool is_two_sided, double spin) {
   return is_two_sided ? std::string("frequency (positive: ") + (spin < 0. ? "backward)" : "forward)") : "frequency";
 }
 
-std::string words(const Waterfall& w) {
+/// Straight lines between rows a distance d apart weigh a vibration of frequency f with sinc(f d)^2.
+constexpr double two_percent = 0.055;  ///< f d at which this is 0.99, the other per cent being the window's
+constexpr double ten_percent = 0.178;  ///< f d at which it is 0.90
+
+std::string words_of_rows(const Waterfall& w) {
+  const double d = w.row_distance;
+  if (d <= 1.001 * w.interval)
+    return fmt::format("Samples are {:.3g} µs apart; motion faster than {:.6g} Hz would fold back.", w.interval * 1e6,
+                       0.5 / w.interval);
+  return fmt::format(
+      "Rows are up to {:.3g} µs apart, with straight lines between them: a sine of {:.4g} Hz is up to "
+      "10 % too low, and motion faster than {:.4g} Hz would fold back.",
+      d * 1e6, ten_percent / d, 0.5 / d);
+}
+
+/// " 92 % of the drop is left out, at 0.5 to 6 s: rows are more than 250 µs apart there.": empty if nothing is.
+std::string words_of_rest(const Waterfall& w, double duration) {
+  constexpr std::size_t most_named = 3;
+  if (w.uncovered.empty()) return "";
+  double missing = 0.;
+  std::string where;
+  for (std::size_t k = 0; k < w.uncovered.size(); ++k) {
+    const auto& [from, to] = w.uncovered[k];
+    missing += to - from;
+    if (k < most_named) where += fmt::format("{}{:.4g} to {:.4g} s", k == 0 ? "" : ", ", from, to);
+  }
+  if (w.uncovered.size() > most_named) where += fmt::format(" and {} times more", w.uncovered.size() - most_named);
+  const bool is_coarse = w.places.size() < w.place_times.size();
+  return fmt::format(" {:.3g} % of the drop is left out, at {}: {}.", 100. * missing / duration, where,
+                     is_coarse ? fmt::format("rows are more than {:.3g} µs apart there (output.longest_interval)",
+                                             w.longest_allowed * 1e6)
+                               : "the segments do not reach all of it");
+}
+
+/// With two digits, not above the value.
+double two_digits_down(double value) {
+  const double unit = std::pow(10., std::floor(std::log10(value)) - 1.);
+  return std::floor(value / unit * (1. + 1e-9)) * unit;
+}
+
+std::string words_of_none(const Waterfall& w) {
+  return fmt::format(
+      "No spectra: every segment of {:.4g} ms has rows more than {:.3g} µs apart, which cannot hold the "
+      "frequencies of interest. A run with output.longest_interval = \"{:.3g} us\" would have them.",
+      w.segment * 1e3, w.longest_allowed * 1e6, 1e6 * two_digits_down(w.longest_allowed));
+}
+
+/// @param duration  of the drop [s]
+std::string words(const Waterfall& w, double duration) {
+  const bool is_even = w.row_distance <= 1.001 * w.interval;
   return fmt::format(
       "Amplitudes, 0-peak, of {} segments of {:.4g} ms: Hann window, mean of the segment taken away, filled up with "
-      "zeros to four times its length; a steady sine shows its amplitude within 1 %. Lines closer than {:.3g} Hz run "
-      "into one. "
-      "Samples are {:.3g} µs apart; motion faster than {:.6g} Hz would fold back.",
-      w.times.size(), w.segment * 1e3, 2. / w.segment, w.interval * 1e6, 0.5 / w.interval);
+      "zeros to four times its length; a steady sine shows its amplitude within {}. Lines closer than {:.3g} Hz run "
+      "into one. {}{}",
+      w.times.size(), w.segment * 1e3,
+      is_even ? std::string("1 %") : fmt::format("2 % up to {:.3g} Hz", two_percent / w.row_distance), 2. / w.segment,
+      words_of_rows(w), words_of_rest(w, duration));
 }
 
 /// Of amplitudes, to be drawn on a logarithmic axis; not a number where they are more than `decades` below the largest.
@@ -85,33 +135,69 @@ Json spectrum_chart(const Signal& signal, const Waterfall& w, double spin, std::
           {"title", signal.title},
           {"x", {{"label", frequency_label(signal.z.has_value(), spin)}, {"unit", "Hz"}}},
           {"y", {{"label", signal.quantity}, {"unit", signal.unit}, {"log", true}}},
-          {"note", words(w) + " 1x: spin frequency of the rotor at the start."},
+          {"note",
+           words(w, signal.y.times.back() - signal.y.times.front()) + " 1x: spin frequency of the rotor at the start."},
           {"marks", marks},
           {"lines",
            {line("largest of all segments", w.largest(), 0), line("root mean square of the segments", w.mean(), 2)}}};
 }
 
+/// A waterfall's picture: rows from the first to the last segment, evenly spaced in time.
+struct Picture {
+  std::size_t per_row = 1;                      ///< segments whose largest amplitudes are one row
+  std::vector<double> times;                    ///< [n_rows] middles [s]
+  std::vector<std::vector<double>> amplitudes;  ///< [n_rows][n_frequencies]; empty where all segments are left out
+};
+Picture picture_of(const Waterfall& w) {
+  constexpr std::size_t most_rows = 120;
+  Picture p;
+  const std::size_t first = w.places.front(), n = w.places.back() + 1 - first;
+  p.per_row = (n + most_rows - 1) / most_rows;
+  const std::size_t n_rows = (n + p.per_row - 1) / p.per_row;
+  const double step = w.place_times.size() > 1 ? w.place_times[1] - w.place_times[0] : 0.;
+  for (std::size_t row = 0; row < n_rows; ++row)
+    p.times.push_back(w.place_times[first] +
+                      (static_cast<double>(row * p.per_row) + 0.5 * static_cast<double>(p.per_row - 1)) * step);
+  p.amplitudes.resize(n_rows);
+  for (std::size_t k = 0; k < w.places.size(); ++k) {
+    auto& row = p.amplitudes[(w.places[k] - first) / p.per_row];
+    row.resize(w.frequencies.size(), 0.);
+    for (std::size_t i = 0; i < row.size(); ++i) row[i] = std::max(row[i], w.amplitude[k][i]);
+  }
+  return p;
+}
+
 Json waterfall_json(const Signal& signal, const Waterfall& w, const TimeSeries& spin) {
-  double largest = 0.;
-  for (const auto& one : w.amplitude) largest = std::max(largest, *std::max_element(one.begin(), one.end()));
+  const auto all = w.largest();
+  const double largest = *std::max_element(all.begin(), all.end());
   std::vector<std::uint8_t> levels;
   const std::size_t n = group_of(w), columns = (w.frequencies.size() + n - 1) / n;
   const double step = w.frequencies.size() > 1 ? w.frequencies[1] - w.frequencies[0] : 1.;
   const double low = w.frequencies.front() + 0.5 * static_cast<double>(n - 1) * step;
-  for (const auto& one : w.amplitude)
-    for (const double a : grouped(w, one).amplitudes) {
+  const Picture picture = picture_of(w);
+  Json missing = Json::array();
+  for (std::size_t row = 0; row < picture.amplitudes.size(); ++row) {
+    if (picture.amplitudes[row].empty()) {
+      missing.push_back(row);
+      levels.insert(levels.end(), columns, 0);
+      continue;
+    }
+    for (const double a : grouped(w, picture.amplitudes[row]).amplitudes) {
       const double part = a > 0. ? 1. + std::log10(a / largest) / decades : 0.;
       levels.push_back(static_cast<std::uint8_t>(std::lround(255. * std::clamp(part, 0., 1.))));
     }
+  }
   std::vector<double> spins;
-  for (const double t : w.times) spins.push_back(std::abs(spin.at(t)) / two_pi);
+  for (const double t : picture.times) spins.push_back(std::abs(spin.at(t)) / two_pi);
   return {{"id", "waterfall-" + signal.id},
           {"title", signal.title + ", over time"},
           {"quantity", signal.quantity},
           {"unit", signal.unit},
           {"largest", largest * signal.scale},
           {"decades", decades},
-          {"times", rounded(w.times, 1e3, 6)},
+          {"times", rounded(picture.times, 1e3, 6)},
+          {"per_row", picture.per_row},
+          {"missing", missing},
           {"low", low},
           {"high", low + static_cast<double>((columns - 1) * n) * step},
           {"columns", columns},
@@ -151,14 +237,17 @@ std::vector<Signal> signals_of(const RecordedDrop& drop) {
 }  // namespace
 
 ReportSpectra report_spectra(const RecordedDrop& drop) {
-  ReportSpectra made{Json::array(), Json::array()};
+  ReportSpectra made{Json::array(), Json::array(), ""};
   const TimeSeries spin = drop.series("/rotor/spin_speed");
   const double initial = spin.values.front() / two_pi;
   const double wanted = std::max(1000., 8. * std::abs(initial));
   std::size_t colour = 0;
   for (const Signal& signal : signals_of(drop)) {
     const Waterfall w = waterfall(signal.y, signal.z ? &*signal.z : nullptr, drop.parameters().output.interval, wanted);
-    if (w.amplitude.empty()) continue;
+    if (w.amplitude.empty()) {
+      if (!w.place_times.empty()) made.note = words_of_none(w);
+      continue;
+    }
     const auto largest = w.largest();
     if (!(*std::max_element(largest.begin(), largest.end()) > 0.)) continue;
     made.charts.push_back(spectrum_chart(signal, w, initial, colour++ % 7));

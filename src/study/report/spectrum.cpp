@@ -9,8 +9,9 @@
 namespace rotordrop {
 namespace {
 
-constexpr std::size_t fewest_samples = 128, most_segments = 60, padding = 4;
-constexpr double longest_segment = 0.25;  ///< [s]
+constexpr std::size_t fewest_samples = 128, padding = 4;
+constexpr std::size_t usual_segments = 60, most_segments = 600;  ///< the latter take some tenths of a second
+constexpr double longest_segment = 0.25;                         ///< [s]
 
 /// Values at evenly spaced times, linear between rows. @param first  sample, counted from the series' start
 std::vector<double> sampled(const TimeSeries& s, double interval, std::size_t first, std::size_t n) {
@@ -35,6 +36,41 @@ void take_mean_away(std::vector<double>& values) {
   double sum = 0.;
   for (const double v : values) sum += v;
   for (double& v : values) v -= sum / static_cast<double>(values.size());
+}
+
+/// Evenly spaced segments: an eighth of their length apart if these are few enough, otherwise half of it, as far as they may be many.
+std::size_t segments_in(std::size_t n, std::size_t length) {
+  const std::size_t dense = std::max((n - length) / (length / 8) + 1, n > length ? 2ul : 1ul);
+  const std::size_t half = (n - length + length / 2 - 1) / (length / 2) + 1;
+  return std::min({dense, std::max(usual_segments, half), most_segments});
+}
+
+/// Largest distance between rows that lie, in part or whole, between two times [s].
+double largest_distance(const std::vector<double>& times, double from, double to) {
+  auto next = std::upper_bound(times.begin(), times.end(), from);
+  if (next == times.begin()) ++next;
+  double largest = 0.;
+  for (; next != times.end(); ++next) {
+    largest = std::max(largest, *next - *(next - 1));
+    if (*next >= to) break;
+  }
+  return largest;
+}
+
+/// Parts of a drop between segments. @param begins  [n_segments] [s], rising
+std::vector<std::array<double, 2>> gaps_between(const std::vector<double>& begins, double length, double start,
+                                                double end, double tolerance) {
+  std::vector<std::array<double, 2>> gaps;
+  double covered = start;
+  const auto gap_until = [&](double time) {
+    if (time > covered + tolerance) gaps.push_back({covered, time});
+  };
+  for (const double begin : begins) {
+    gap_until(begin);
+    covered = begin + length;
+  }
+  gap_until(end);
+  return gaps;
 }
 
 }  // namespace
@@ -82,11 +118,21 @@ Waterfall waterfall(const TimeSeries& y, const TimeSeries* z, double interval, d
   for (std::ptrdiff_t k = -n_below; k <= static_cast<std::ptrdiff_t>(highest); ++k)
     result.frequencies.push_back(static_cast<double>(k) * step);
 
-  const std::size_t n_segments = std::min(most_segments, (n - length) / (length / 8) + 1);
+  result.longest_allowed = std::max(interval, 0.5 / largest_frequency);
+  const std::size_t n_places = segments_in(n, length);
+  std::vector<double> begins;
   Eigen::FFT<double> fft;
   std::vector<std::complex<double>> signal(n_points), transformed;
-  for (std::size_t i = 0; i < n_segments; ++i) {
-    const std::size_t first = n_segments == 1 ? 0 : (n - length) * i / (n_segments - 1);
+  for (std::size_t i = 0; i < n_places; ++i) {
+    const std::size_t first = n_places == 1 ? 0 : (n - length) * i / (n_places - 1);
+    const double begin = y.times.front() + static_cast<double>(first) * interval;
+    const double last = begin + (static_cast<double>(length) - 1.) * interval;
+    const double distance = largest_distance(y.times, begin + 1e-3 * interval, last - 1e-3 * interval);
+    result.place_times.push_back(begin + 0.5 * result.segment);
+    if (distance > (1. + 1e-3) * result.longest_allowed) continue;
+    result.row_distance = std::max(result.row_distance, distance);
+    begins.push_back(begin);
+    result.places.push_back(i);
     auto real = sampled(y, interval, first, length);
     auto imaginary = is_two_sided ? sampled(*z, interval, first, length) : std::vector<double>(length, 0.);
     take_mean_away(real);
@@ -98,9 +144,9 @@ Waterfall waterfall(const TimeSeries& y, const TimeSeries* z, double interval, d
       const auto at = static_cast<std::size_t>(k < 0 ? k + static_cast<std::ptrdiff_t>(n_points) : k);
       amplitude.push_back((is_two_sided || k == 0 ? 1. : 2.) * std::abs(transformed[at]) / sum);
     }
-    result.times.push_back(y.times.front() +
-                           (static_cast<double>(first) + 0.5 * static_cast<double>(length)) * interval);
+    result.times.push_back(result.place_times.back());
   }
+  result.uncovered = gaps_between(begins, result.segment, y.times.front(), y.times.back(), 2. * interval);
   return result;
 }
 

@@ -11,10 +11,11 @@ function shade(part, stops = [[255, 255, 255], [86, 180, 233], [0, 114, 178], [0
 
 // Frequency to the right, time upwards, colour the logarithm of the amplitude.
 function showWaterfall(fall, into) {
+  const missing = new Set(fall.missing);
   const { columns, times } = fall, rows = times.length, levels = bytesOf(fall.levels);
   const canvas = element("canvas", { width: columns, height: rows }), pixels = canvas.getContext("2d").createImageData(columns, rows);
   for (let row = 0; row < rows; ++row)
-    for (let k = 0; k < columns; ++k) pixels.data.set([...shade(levels[(rows - 1 - row) * columns + k] / 255), 255], 4 * (row * columns + k));
+    for (let k = 0; k < columns; ++k) pixels.data.set([...(missing.has(rows - 1 - row) ? [225, 225, 225] : shade(levels[(rows - 1 - row) * columns + k] / 255)), 255], 4 * (row * columns + k));
   canvas.getContext("2d").putImageData(pixels, 0, 0);
   const total = isNarrow() ? 380 : 620, left = isNarrow() ? 62 : 76, top = 10, bar = isNarrow() ? 84 : 80, width = total - left - bar, height = isNarrow() ? 200 : 270, right = left + width + 14;
   const step = rows > 1 ? (times[rows - 1] - times[0]) / (rows - 1) : 1, t0 = times[0] - step / 2, t1 = times[rows - 1] + step / 2;
@@ -43,11 +44,12 @@ function showWaterfall(fall, into) {
     tip.hidden = !(k >= 0 && k < columns && row >= 0 && row < rows);
     if (tip.hidden) return;
     const level = levels[row * columns + k];
-    tip.textContent = `${short(fall.low + k * df)} Hz, ${short(times[row])} ms: ` + (level ? `${short(+amplitude(level / 255).toPrecision(3))} ${unit(fall.unit)}` : `below ${short(+amplitude(0).toPrecision(2))} ${unit(fall.unit)}`);
+    if (missing.has(row)) tip.textContent = `${short(times[row])} ms: left out`;
+    else tip.textContent = `${short(fall.low + k * df)} Hz, ${short(times[row])} ms: ` + (level ? `${short(+amplitude(level / 255).toPrecision(3))} ${unit(fall.unit)}` : `below ${short(+amplitude(0).toPrecision(2))} ${unit(fall.unit)}`);
     tip.style.left = Math.min(event.clientX + 16, innerWidth - tip.offsetWidth - 8) + "px";
     tip.style.top = event.clientY + 12 + "px";
   };
   svg.onpointerleave = () => { tip.hidden = true; };
   into.append(element("figure", { class: "map waterfall", id: "figure-" + fall.id }, element("figcaption", {}, fall.title), svg,
-    element("p", { class: "note" }, `Each row is a segment of ${short(+fall.segment.toPrecision(4))} ms, at its middle; colours are logarithmic over ${fall.decades} decades. Dashed: the rotor's spin frequency${fall.is_two_sided ? ", forward and backward" : ""}.`)));
+    element("p", { class: "note" }, `Each row is ${fall.per_row > 1 ? `the largest of ${fall.per_row} segments` : "a segment"} of ${short(+fall.segment.toPrecision(4))} ms, at ${fall.per_row > 1 ? "their" : "its"} middle;${missing.size ? " grey rows are left out;" : ""} colours are logarithmic over ${fall.decades} decades. Dashed: the rotor's spin frequency${fall.is_two_sided ? ", forward and backward" : ""}.`)));
 }

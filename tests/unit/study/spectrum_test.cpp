@@ -119,18 +119,71 @@ TEST(Spectrum, OverTimeFollowsASineThatBeginsLate) {
 }
 
 TEST(Spectrum, OfRowsThatAreNotEvenlySpacedIsThatOfStraightLinesBetweenThem) {
-  // Straight lines with few corners: coarse and fine rows describe the same signal.
+  // Straight lines with few corners: coarse and fine rows describe the same signal. 1 ms is as coarse as 500 Hz may have.
   const auto triangle = [](double t) { return std::fabs(std::fmod(t, 0.02) - 0.01); };
   TimeSeries coarse;
-  for (int k = 0; k <= 30; ++k) {
-    coarse.times.push_back(0.01 * k);
-    coarse.values.push_back(k % 2 == 0 ? 0.01 : 0.);
+  for (int k = 0; k <= 300; ++k) {
+    coarse.times.push_back(0.001 * k);
+    coarse.values.push_back(triangle(coarse.times.back()));
   }
   const Waterfall a = waterfall(sampled(6001, triangle), nullptr, interval, 500.),
                   b = waterfall(coarse, nullptr, interval, 500.);
+  EXPECT_NEAR(a.row_distance, interval, 1e-9) << "s";
+  EXPECT_NEAR(b.row_distance, 0.001, 1e-9) << "s";
   ASSERT_EQ(a.amplitude.size(), b.amplitude.size());
   const auto x = a.mean(), y = b.mean();
   for (std::size_t k = 0; k < x.size(); ++k) EXPECT_NEAR(x[k], y[k], 1e-12);
+}
+
+TEST(Spectrum, LeavesOutSegmentsWhoseRowsAreTooFarApart) {
+  // A sine of 400 Hz for 0.3 s, of which rows from 0.1 to 0.15 s are 5 ms apart: two periods, and every row is at a zero of the sine.
+  constexpr double f = 400.;
+  TimeSeries s;
+  for (int k = 0; k <= 6000; ++k) {
+    const double t = k * interval;
+    if (k > 2000 && k < 3000 && k % 100 != 0) continue;
+    s.times.push_back(t);
+    s.values.push_back(std::sin(2. * pi * f * t));
+  }
+  const Waterfall w = waterfall(s, nullptr, interval, 2000.);
+  ASSERT_EQ(w.place_times.size(), 39u);
+  ASSERT_EQ(w.times.size(), w.places.size());
+  for (std::size_t i = 0; i < w.times.size(); ++i) {
+    EXPECT_TRUE(w.times[i] + 0.5 * w.segment < 0.1 + 2. * interval ||
+                w.times[i] - 0.5 * w.segment > 0.15 - 2. * interval)
+        << w.times[i];
+    EXPECT_NEAR(*std::max_element(w.amplitude[i].begin(), w.amplitude[i].end()), 1., 0.01) << w.times[i];
+  }
+  ASSERT_EQ(w.uncovered.size(), 1u);
+  const double apart = w.place_times[1] - w.place_times[0];
+  EXPECT_NEAR(w.uncovered[0][0], 0.1, apart) << "s";
+  EXPECT_NEAR(w.uncovered[0][1], 0.15, apart) << "s";
+  EXPECT_NEAR(w.row_distance, interval, 1e-9) << "s";
+}
+
+TEST(Spectrum, OfCoarseRowsAloneIsNoneButSaysHowFineTheyShouldBe) {
+  TimeSeries s;
+  for (int k = 0; k <= 60; ++k) {
+    s.times.push_back(0.005 * k);
+    s.values.push_back(k % 2);
+  }
+  const Waterfall w = waterfall(s, nullptr, interval, 2000.);
+  EXPECT_TRUE(w.amplitude.empty());
+  EXPECT_NEAR(w.longest_allowed, 250e-6, 1e-9) << "s: half a period of 2000 Hz";
+}
+
+TEST(Spectrum, OfALongDropHasSegmentsThatOverlap) {
+  // 30 s of a sine that lasts for the length of one segment only, somewhere.
+  constexpr double begin = 17.3, length = 0.2048;
+  const TimeSeries s =
+      sampled(600'001, [](double t) { return t < begin || t > begin + length ? 0. : std::sin(2. * pi * 400. * t); });
+  const Waterfall w = waterfall(s, nullptr, interval, 1000.);
+  EXPECT_NEAR(w.segment, length, 1e-9);
+  EXPECT_LE(w.times[1] - w.times[0], 0.51 * length);
+  EXPECT_TRUE(w.uncovered.empty());
+  // The nearest segment is off by a quarter of its length at most, of which a Hann window holds 1/2 + 1/4 + 1/(2 pi) = 0.909.
+  const auto found = w.largest();
+  EXPECT_GT(found[peak_of(found)], 0.909 * 0.98);
 }
 
 TEST(Spectrum, OfFewSamplesIsNone) {
