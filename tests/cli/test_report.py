@@ -478,6 +478,10 @@ class OtherRuns(ProgramTest):
             # It lies on a line of the diagram.
             nearest = min(abs(numpy.interp(point["x"], line["x"], line["y"]) - point["y"]) for line in charts["campbell"]["lines"] if line["name"] != "spin frequency" and line["x"][0] <= point["x"] <= line["x"][-1])
             self.assertLess(nearest, 0.01 * point["y"])
+        # The page shows the value of the nearest point, so that the spin frequency needs as many points as a mode.
+        spin = next(line for line in charts["campbell"]["lines"] if line["name"] == "spin frequency")
+        self.assertLess(max(numpy.diff(spin["x"])), 300, "rpm")
+        numpy.testing.assert_allclose(spin["y"], numpy.array(spin["x"]) / 60, rtol=1e-5, atol=1e-9)
         # The map: at a stiffness that both have.
         for line, speeds in zip(charts["critical-speed-map"]["lines"], zip(*[at["speeds"][:2] for at in critical["map"]])):
             for at, speed in zip(critical["map"], speeds):

@@ -136,8 +136,12 @@ Json campbell_lines(const CriticalSpeedReport& report, double largest_frequency)
 
 Json campbell_chart(const CriticalSpeedReport& report, double up_to, double operating, const std::string& supports) {
   Json lines = campbell_lines(report, 1.25 * up_to / two_pi), points = Json::array();
-  lines.push_back(
-      {{"name", "spin frequency"}, {"colour", 7}, {"dash", 1}, {"x", {0, up_to * to_rpm}}, {"y", {0, up_to / two_pi}}});
+  // At every speed of the diagram: the page reads values off the nearest point.
+  lines.push_back({{"name", "spin frequency"},
+                   {"colour", 7},
+                   {"dash", 1},
+                   {"x", rounded(report.diagram_speeds, to_rpm, 7)},
+                   {"y", rounded(report.diagram_speeds, 1. / two_pi, 7)}});
   for (const auto& one : report.speeds)
     points.push_back({{"x", one.speed * to_rpm},
                       {"y", one.speed / two_pi},
