@@ -8,6 +8,7 @@
 #include "study/drop/damage_summary.h"
 #include "study/json_number.h"
 #include "study/report/report.h"
+#include "study/report/time_words.h"
 #include "study/result_names.h"
 
 namespace rotordrop {
@@ -167,7 +168,8 @@ Json report_numbers(const RecordedDrop& drop, const Json& summary) {
     fact("mechanical energy dissipated", e.at("dissipated"), "J", 1.);
     fact("heat input to each thermal model", e.at("heat_deposited"), "J", 1.);
     fact("mechanical energy residual", e.at("residual"), "J", 1.);
-    fact("simulated time", summary.at("run").at("end_time"), "ms", 1e3);
+    if (const double end = number_at(summary, "/run/end_time"); std::isfinite(end))
+      whole.push_back({"simulated time", in_time(end)});
     fact("computing time", summary.at("run").at("wall_time"), "s", 1.);
   }
   return {{"bearings", names}, {"rows", rows.take()}, {"whole", whole}};

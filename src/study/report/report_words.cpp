@@ -12,6 +12,7 @@
 #include "io/hdf5/recorded_series.h"
 #include "io/sha256.h"
 #include "study/report/report.h"
+#include "study/report/time_words.h"
 
 namespace rotordrop {
 namespace {
@@ -60,12 +61,13 @@ Json report_words(const RecordedDrop& drop) {
   const auto touchdown = drop.bearings();
   words.push_back(
       fmt::format("A rotor of {:.4g} kg (polar inertia {:.3g} kg m², diametral {:.4g} kg m²) spins at {:.6g} rpm {} "
-                  "The simulation covers {:.6g} ms at an ambient temperature of {:.2f} K ({}).",
+                  "The simulation covers {} at an ambient temperature of {:.2f} K ({}).",
                   rotor.body.mass, rotor.body.Ip, rotor.body.Id, p.run.initial_speed * to_rpm,
                   touchdown.empty() ? "on linear supports." : "and drops onto its touchdown bearings.",
-                  p.run.latest_end() * 1e3, p.run.ambient, in_celsius(p.run.ambient)));
+                  in_time(drop.series("/energy/mechanical").times.back()), p.run.ambient, in_celsius(p.run.ambient)));
   if (p.run.until != EndCondition::time)
-    words.push_back(fmt::format("The run ends before that with run.until = \"{}\".", name_of(p.run.until)));
+    words.push_back(fmt::format("The run ends with run.until = \"{}\", at {} at the latest.", name_of(p.run.until),
+                                in_time(p.run.latest_end())));
   if (p.rotor.windage)
     words.push_back(p.rotor.windage->law == WindageLaw::geometry
                         ? "Windage of the surrounding gas brakes the rotor; it is computed from the smooth cylinders "

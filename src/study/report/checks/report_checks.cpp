@@ -16,6 +16,7 @@
 #include "study/json_number.h"
 #include "study/report/checks/checks.h"
 #include "study/report/report.h"
+#include "study/report/time_words.h"
 
 namespace rotordrop {
 namespace {
@@ -294,10 +295,9 @@ Json report_checks(const RecordedDrop& drop, const Json& summary) {
   } else {
     const bool completed = summary.contains("run") && summary.at("run").value("completed", false);
     checks.add("complete", completed,
-               completed
-                   ? "the run reached its end"
-                   : fmt::format("INTERRUPTED at {:.6g} ms of {:.6g} ms: peak and end values cover this part only",
-                                 1e3 * number_at(summary, "/run/end_time"), 1e3 * end));
+               completed ? "the run reached its end"
+                         : fmt::format("INTERRUPTED at {} of {}: peak and end values cover this part only",
+                                       in_time(number_at(summary, "/run/end_time")), in_time(end)));
     for (const auto& w : summary.value("input_warnings", Json::array()))
       checks.add("case, " + w.at("where").get<std::string>(), false, w.at("message").get<std::string>());
   }
