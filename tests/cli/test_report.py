@@ -462,6 +462,12 @@ class OtherRuns(ProgramTest):
         self.assertEqual(data["animation"]["bearings"], [])
         self.assertIn("on linear supports", data["words"][0])
 
+    def test_a_rotor_on_magnets_alone_is_on_no_linear_supports(self):
+        magnets = "".join(f'[bearings.{name}]\ntype = "magnet"\nnode = {node}\nstiffness = [[1e7, 0], [0, 1e7]]\ndamping = [[2e4, 0], [0, 2e4]]\nrelease_time = ["100 s", "100 s"]\n' for name, node in (("A", 6), ("B", 25)))
+        self.write("magnets.toml", f'[run]\nend_time = "10 ms"\ninitial_speed = "3000 rpm"\n[rotor]\ngeometry = "neisi2019-rotor.json"\n{magnets}')
+        self.run_case("magnets.toml")
+        self.assertIn("spins at 3000 rpm on magnets. ", self.report()["words"][0])
+
     def test_the_campbell_diagram_has_the_critical_speeds(self):
         supports = "".join(f'[bearings.{name}]\ntype = "linear"\nnode = {node}\nstiffness = [[2e7, 0], [0, 3e7]]\ndamping = [[1e3, 0], [0, 1e3]]\n' for name, node in (("A", 2), ("B", 28)))
         self.write("linear.toml", f'[run]\nend_time = "10 ms"\ninitial_speed = "8000 rpm"\n[rotor]\ngeometry = "neisi2019-rotor.json"\n{supports}')

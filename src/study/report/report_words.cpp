@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 #include <numbers>
+#include <set>
 
 #include "analysis/facts/rotor_report.h"
 #include "base/rotation.h"
@@ -29,6 +30,16 @@ std::string words_of_models(const ThermalParameters& thermal) {
   std::vector<std::string> titles;
   for (const ThermalKind* kind : chosen_kinds(thermal)) titles.push_back(kind->title);
   return fmt::format("{}", fmt::join(titles, " and "));
+}
+
+/// "on linear supports and magnets.": of a rotor without touchdown bearings.
+std::string words_of_supports(const CaseParameters& p) {
+  std::set<std::string> kinds;
+  for (const auto& entry : p.bearings)
+    kinds.insert(entry.linear()   ? "linear supports"
+                 : entry.magnet() ? "magnets"
+                                  : "supports defined by another program");
+  return kinds.empty() ? "without a support." : fmt::format("on {}.", fmt::join(kinds, " and "));
 }
 
 /// "; shoulders of the rotor: 300 µm from the ring's face at -x, ...": empty without any.
@@ -63,7 +74,7 @@ Json report_words(const RecordedDrop& drop) {
       fmt::format("A rotor of {:.4g} kg (polar inertia {:.3g} kg m², diametral {:.4g} kg m²) spins at {:.6g} rpm {} "
                   "The simulation covers {} at an ambient temperature of {:.2f} K ({}).",
                   rotor.body.mass, rotor.body.Ip, rotor.body.Id, p.run.initial_speed * to_rpm,
-                  touchdown.empty() ? "on linear supports." : "and drops onto its touchdown bearings.",
+                  touchdown.empty() ? words_of_supports(p) : "and drops onto its touchdown bearings.",
                   in_time(drop.series("/energy/mechanical").times.back()), p.run.ambient, in_celsius(p.run.ambient)));
   if (p.run.until != EndCondition::time)
     words.push_back(fmt::format("The run ends with run.until = \"{}\", at {} at the latest.", name_of(p.run.until),
