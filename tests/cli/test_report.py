@@ -130,6 +130,10 @@ class Page(SharedRun):
             self.assertAlmostEqual(float(rows["peak contact force in the bore (0-peak)"]["values"][i]), bearing["peak_contact_force"] / 1e3, delta=1e-3)
             self.assertEqual(rows["end of spin-up (ring within 1 % of rotor surface speed)"]["values"][i], "—")
 
+    def test_a_mean_over_50_ms_is_not_one_of_a_shorter_run(self):
+        names = [row["name"] for row in self.data["numbers"]["rows"] if row["name"].startswith("mean contact force")]
+        self.assertEqual(names, ["mean contact force in the bore, whole run"], "of 15 ms")
+
     def test_one_thermal_model_leaves_out_the_other(self):
         self.assertNotIn("comparison", self.data)
         self.assertNotIn("surfaces-TB1", self.charts)

@@ -40,8 +40,16 @@ class Rows {
   Json rows_ = Json::array();
 };
 
+/// What the table calls a result. @param end  of the run [s]
+std::string name_in_run(const ShownResult& r, double end) {
+  constexpr double averaged = 0.05;  ///< [s], unless the run is shorter
+  const bool is_whole = r.pointer == std::string("/mean_contact_force_end") && end < averaged;
+  return is_whole ? "mean contact force in the bore, whole run" : r.name;
+}
+
 /// @param ambient  [K]
-void add_summary(Rows& rows, std::size_t column, const Json& b, double ambient) {
+/// @param end      of the run [s]
+void add_summary(Rows& rows, std::size_t column, const Json& b, double ambient, double end) {
   for (const ShownResult& r : shown_results()) {
     const Json::json_pointer pointer(r.pointer);
     if (!b.contains(pointer)) continue;
@@ -51,7 +59,7 @@ void add_summary(Rows& rows, std::size_t column, const Json& b, double ambient) 
       text = fmt::format("{:.{}g}", value.get<double>() * r.per_si, r.unit == std::string("rpm") ? 5 : 4);
       if (r.unit == std::string("K")) text += fmt::format(" ({})", in_celsius(ambient + value.get<double>()));
     }
-    rows.set(column, r.name, r.unit, text);
+    rows.set(column, name_in_run(r, end), r.unit, text);
   }
   if (b.contains("whirl")) {
     rows.set(column, "direction of longest whirl", "", b.at("whirl").at("direction").get<std::string>());
@@ -154,7 +162,8 @@ Json report_numbers(const RecordedDrop& drop, const Json& summary) {
     const std::string& name = bearings[i].first;
     names.push_back(name);
     if (!summary.is_null() && summary.contains("bearings") && summary.at("bearings").contains(name))
-      add_summary(rows, i, summary.at("bearings")[name], drop.parameters().run.ambient);
+      add_summary(rows, i, summary.at("bearings")[name], drop.parameters().run.ambient,
+                  number_at(summary, "/run/end_time"));
     add_range(rows, i, drop.series("/bearings/" + name + "/orbit", 0), "vertical displacement");
     add_range(rows, i, drop.series("/bearings/" + name + "/orbit", 1), "horizontal displacement");
   }
