@@ -463,6 +463,7 @@ class OtherRuns(ProgramTest):
         self.assertEqual(charts["support-force"], ["A y", "B y", "A z", "B z"])
         self.assertIn("energy", charts)
         self.assertNotIn("contact-force", charts)
+        self.assertNotIn("heat-given", charts, "linear supports have no raceways, and nothing rubs")
         self.assertEqual(data["animation"]["bearings"], [])
         self.assertIn("on linear supports", data["words"][0])
 
