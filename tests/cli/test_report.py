@@ -509,6 +509,20 @@ class OtherRuns(ProgramTest):
         with h5py.File(self.folder / "out/results.h5") as results:
             self.assertNotIn("modal_y", results["/rotor"])
 
+    def test_up_and_vertical_follow_gravity(self):
+        """Along -y as in the reference case; -z; along the axis, as of a vertical rotor."""
+        for gravity, y, z, titles in (("9.81", "y (up)", "z", ("Vertical displacement of the rotor", "Horizontal displacement of the rotor")), ("[0, 0, -9.81]", "y", "z (up)", ("Horizontal displacement of the rotor", "Vertical displacement of the rotor")),
+                                      ("[0, 9.81, 0]", "y (down)", "z", ("Vertical displacement of the rotor", "Horizontal displacement of the rotor")), ("[-9.81, 0, 0]", "y", "z", ("Displacement along y of the rotor", "Displacement along z of the rotor"))):
+            with self.subTest(gravity):
+                self.succeed("run", self.case(f"run.gravity = {gravity}\n"), "-o", "out", "--force", "--quiet", *settings(run__end_time="2 ms"))
+                data = self.report()
+                charts = {chart["id"]: chart for chart in data["charts"]}
+                self.assertEqual(data["directions"], {"y": y, "z": z})
+                self.assertEqual([charts[f"displacement-{axis}"]["y"]["label"] for axis in "yz"], [y, z])
+                self.assertEqual(tuple(charts[f"displacement-{axis}"]["title"] for axis in "yz"), titles)
+                rows = [row["name"] for row in data["numbers"]["rows"] if "displacement" in row["name"]]
+                self.assertEqual(rows, [title.lower().replace(" of the rotor", ", peak-to-peak") for title in titles])
+
     def test_a_title_of_several_lines_is_refused(self):
         done = self.call("check", self.case('title = "one\\ntwo"\n'))
         self.assertEqual(done.returncode, 2)

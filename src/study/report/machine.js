@@ -167,10 +167,10 @@ function bendingAt(bending, into) {
     for (const bar of bars) { low = Math.min(low, bar.low); high = Math.max(high, bar.high); }
     const room = 0.06 * (high - low) || 1, x0 = bending.x[0], x1 = bending.x[n - 1];
     return { id, title, note, x: { label: "x", unit: "mm" }, y: { label: "displacement", unit: "um" }, fixed: { x: [x0, x1], y: [low - room, high + room] }, bars,
-      marks: data.machine.supports.map((s) => ({ x: s.x, name: s.name })), lines: ["y", "z"].map((plane, k) => ({ name: plane === "y" ? "y (up)" : "z", colour: k, dash: k, x: bending.x, y: line(plane, 0, first), complete: true })) };
+      marks: data.machine.supports.map((s) => ({ x: s.x, name: s.name })), lines: ["y", "z"].map((plane, k) => ({ name: data.directions[plane], colour: k, dash: k, x: bending.x, y: line(plane, 0, first), complete: true })) };
   };
   const gaps = touchdown.filter((s) => rest.has(s.name)).map((s) => ({ x: s.x, low: rest.get(s.name).y - s.air_gap, high: rest.get(s.name).y + s.air_gap }));
-  const figures = [[0, chart("centre-line", "Centre line of the rotor", 0, "At the instant of the slider, from the axis of the unloaded outer rings. Bars: vertical air gap of touchdown bearings around the ring's centre before the drop.", gaps)],
+  const figures = [[0, chart("centre-line", "Centre line of the rotor", 0, "At the instant of the slider, from the axis of the unloaded outer rings. Bars: air gap of touchdown bearings along y, around the ring's centre before the drop.", gaps)],
     [2, chart("bending", "Bending of the rotor", 2, "The same without the rigid motion of the rotor: what its flexible modes add.", [])]].map(([first, c]) => ({ first, figure: new Figure(c, into) }));
   return {
     show(instant) {

@@ -13,6 +13,7 @@
 #include "base/errors.h"
 #include "base/trimmed.h"
 #include "study/opinion/second_opinion.h"
+#include "study/report/directions.h"
 #include "study/report/report_template.h"
 
 namespace rotordrop {
@@ -95,6 +96,8 @@ Json data_of(const RecordedDrop& drop, const Json& summary, const Json& comparis
   if (!summary.is_null() && summary.contains("second_opinion")) data["second_opinion"] = report_second_opinion(summary);
   data["numbers"] = report_numbers(drop, summary);
   data["checks"] = report_checks(drop, summary);
+  for (const auto& [axis, number] : {std::pair{"y", 1u}, std::pair{"z", 2u}})
+    data["directions"][axis] = axis_name(p.run.gravity, number);
   data["machine"] = report_machine(drop);
   data["modes"] = report_modes(drop);
   data["bending"] = report_bending(drop);

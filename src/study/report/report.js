@@ -15,12 +15,12 @@ function showOrbits(animation) {
   const reach = 1.08 * Math.max(...animation.bearings.map((b) => Math.max(farthest(samples(b)), b.gap + Math.abs(Drop.rest(b).y))));
   animation.bearings.forEach((b, i) => new Figure({
     id: "orbit-" + b.name, title: `${b.name}: orbit of the rotor's centre`, square: true, circle: b.gap, centre: { x: Drop.rest(b).z, y: Drop.rest(b).y }, reach,
-    x: { label: "z", unit: "um" }, y: { label: "y (up)", unit: "um" },
+    x: { label: data.directions.z, unit: "um" }, y: { label: data.directions.y, unit: "um" },
     note: `From the axis of the unloaded outer ring. Dashed: radial air gap of ${short(b.gap)} µm (0-peak), at ambient temperature, about the inner ring's centre before the drop, which hangs in its clearance.`,
     lines: [{ name: "rotor centre", colour: i, dash: 0, ...samples(b) }] }, figures));
   (animation.probes || []).forEach((p, i) => new Figure({
     id: "orbit-probe-" + p.name, title: `${p.name}: orbit of the rotor's centre at the probe`, square: true, circle: p.gap,
-    x: { label: "z", unit: "um" }, y: { label: "y (up)", unit: "um" },
+    x: { label: data.directions.z, unit: "um" }, y: { label: data.directions.y, unit: "um" },
     note: `Dashed: radial clearance of ${short(p.gap)} µm about the stationary part's axis.`,
     lines: [{ name: "rotor centre", colour: i + animation.bearings.length, dash: 0, ...frames(p) }] }, figures));
 }

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <numbers>
@@ -9,6 +10,7 @@
 #include "io/hdf5/recorded_series.h"
 #include "study/drop/whirl.h"
 #include "study/report/charts.h"
+#include "study/report/directions.h"
 #include "study/report/report.h"
 
 // Figures of time series.
@@ -28,10 +30,14 @@ void add_motion(Charts& c, const RecordedDrop& drop) {
   const std::string instantaneous =
       "Instantaneous displacement from the axis of the unloaded bearing. Peaks are 0-peak; top to bottom is "
       "peak-to-peak.";
-  c.figure("displacement-y", "Motion", "Vertical displacement of the rotor", "y (up)", "um", instantaneous);
-  c.of_supports("orbit", "", 1e6, 0, 0);
-  c.figure("displacement-z", "Motion", "Horizontal displacement of the rotor", "z", "um", instantaneous);
-  c.of_supports("orbit", "", 1e6, 0, 1);
+  for (const std::size_t axis : {1u, 2u}) {
+    const auto& gravity = drop.parameters().run.gravity;
+    std::string title = displacement_along(gravity, axis) + " of the rotor";
+    title.front() = static_cast<char>(std::toupper(title.front()));
+    c.figure(axis == 1 ? "displacement-y" : "displacement-z", "Motion", title, axis_name(gravity, axis), "um",
+             instantaneous);
+    c.of_supports("orbit", "", 1e6, 0, axis - 1);
+  }
   c.figure("ring-position", "Motion", "Displacement of inner ring and support", "displacement", "um", instantaneous);
   c.of_supports("ring_position", "ring y", 1e6, 0, 0);
   c.of_supports("ring_position", "ring z", 1e6, 1, 1);

@@ -7,6 +7,7 @@
 #include "base/rotation.h"
 #include "study/drop/damage_summary.h"
 #include "study/json_number.h"
+#include "study/report/directions.h"
 #include "study/report/report.h"
 #include "study/report/time_words.h"
 #include "study/result_names.h"
@@ -164,8 +165,9 @@ Json report_numbers(const RecordedDrop& drop, const Json& summary) {
     if (!summary.is_null() && summary.contains("bearings") && summary.at("bearings").contains(name))
       add_summary(rows, i, summary.at("bearings")[name], drop.parameters().run.ambient,
                   number_at(summary, "/run/end_time"));
-    add_range(rows, i, drop.series("/bearings/" + name + "/orbit", 0), "vertical displacement");
-    add_range(rows, i, drop.series("/bearings/" + name + "/orbit", 1), "horizontal displacement");
+    for (const std::size_t axis : {1u, 2u})
+      add_range(rows, i, drop.series("/bearings/" + name + "/orbit", axis - 1),
+                displacement_along(drop.parameters().run.gravity, axis));
   }
   Json whole = Json::array();
   if (!summary.is_null()) {
