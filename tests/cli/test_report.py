@@ -523,6 +523,15 @@ class OtherRuns(ProgramTest):
                 rows = [row["name"] for row in data["numbers"]["rows"] if "displacement" in row["name"]]
                 self.assertEqual(rows, [title.lower().replace(" of the rotor", ", peak-to-peak") for title in titles])
 
+    def test_waves_and_tilts_are_told_though_not_drawn(self):
+        for name in ("neisi2019-thrust.toml", "neisi2019-settling.toml", "neisi2019.toml"):
+            shutil.copy(SOURCE / "params" / name, self.folder)
+        self.write("wavy.toml", 'base = "neisi2019-thrust.toml"\nrun.end_time = "2 ms"\n[[bearings.TB1.waviness]]\nsurface = "bore"\norder = 3\namplitude = "20 um"\n[[bearings.TB1.waviness]]\nsurface = "inner"\norder = 12\namplitude = "2 um"\n')
+        self.succeed("run", "wavy.toml", "-o", "out", "--quiet")
+        data = self.report()
+        self.assertIn("Waves around TB1, number and amplitude: 3 of 20 µm in the bore, 12 of 2 µm on the inner raceway.", data["words"])
+        self.assertEqual(data["animation"]["not_drawn"], ["waves of the surfaces", "tilts of rotor and rings"])
+
     def test_a_title_of_several_lines_is_refused(self):
         done = self.call("check", self.case('title = "one\\ntwo"\n'))
         self.assertEqual(done.returncode, 2)

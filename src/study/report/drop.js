@@ -104,7 +104,7 @@ function showDrops(animation) {
   const rhythm = longest > 1.5 * shortest ? `every ${short(shortest)} to ${short(longest)} ms, more often while something changes` : `every ${short(longest)} ms`;
   section("The drop", element("div", { class: "player" }, play, pace, slider, output), drops,
     element("p", { class: "note" }, `Seen along +x, the axes ${data.directions.y} upwards and ${data.directions.z} to the right; positive spin is clockwise. Gap, displacements, penetration and the bending of rings share one magnification; the radii are not to that scale. ` +
-      `Dashed: limit of the rotor centre (dot) set by the air gap around the ring's centre before the drop, as in the orbits. Filled dot on the bore: contact. The bars turn with rotor and ring. One frame ${rhythm}; faster motion is not visible here.`));
+      `Dashed: limit of the rotor centre (dot) set by the air gap around the ring's centre before the drop, as in the orbits. Filled dot on the bore: contact. The bars turn with rotor and ring. ${animation.not_drawn.length ? `Not drawn: ${animation.not_drawn.join(", ")}. ` : ""}One frame ${rhythm}; faster motion is not visible here.`));
   const made = animation.bearings.map((bearing) => new Drop(bearing, drops));
   for (const probe of animation.probes || []) made.push(probeDrop(probe, drops));
   if (data.bending) made.push(bendingAt(data.bending, drops));

@@ -120,6 +120,19 @@ Json report_ball_loads(const RecordedDrop& drop) {
 
 namespace {
 
+/// What the pictures of the drop leave out of its motion and surfaces.
+Json not_drawn(const RecordedDrop& drop) {
+  const auto bearings = drop.bearings();
+  const auto some = [&](const auto& is_so) {
+    return std::any_of(bearings.begin(), bearings.end(), [&](const auto& bearing) { return is_so(bearing.second); });
+  };
+  Json list = Json::array();
+  if (some([](const TouchdownParameters& b) { return !b.waviness.empty(); })) list.push_back("waves of the surfaces");
+  if (some([](const TouchdownParameters& b) { return b.ring_motion == RingMotion::free; }))
+    list.push_back("tilts of rotor and rings");
+  return list;
+}
+
 /// Instant of the largest recorded contact force of all bearings, shoulders included [s].
 double start_of_slider(const RecordedDrop& drop) {
   Extreme largest;
@@ -175,6 +188,7 @@ Json report_animation(const RecordedDrop& drop) {
     if (Json shape = ring_shape(drop, name); !shape.is_null()) animation["bearings"].back()["shape"] = std::move(shape);
   }
   add_probe_frames(drop, n_frames, animation);
+  animation["not_drawn"] = not_drawn(drop);
   return animation;
 }
 

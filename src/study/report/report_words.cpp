@@ -63,6 +63,17 @@ std::string bearing_words(const std::string& name, const TouchdownParameters& b,
       air_gap(b, contact) * 1e6, shoulder_words(b.shoulders));
 }
 
+/// "Waves around TB1, number and amplitude: 3 of 20 µm in the bore.": empty without any.
+std::string wave_words(const std::string& name, const std::vector<WavinessParameters>& waves) {
+  std::string text;
+  for (const WavinessParameters& w : waves)
+    text += fmt::format("{}{} of {:.4g} µm {}", text.empty() ? "" : ", ", w.order, w.amplitude * 1e6,
+                        w.surface == WavySurface::bore         ? "in the bore"
+                        : w.surface == WavySurface::inner_race ? "on the inner raceway"
+                                                               : "on the outer raceway");
+  return text.empty() ? "" : fmt::format("Waves around {}, number and amplitude: {}.", name, text);
+}
+
 }  // namespace
 
 Json report_words(const RecordedDrop& drop) {
@@ -87,6 +98,7 @@ Json report_words(const RecordedDrop& drop) {
   for (const auto& entry : p.bearings)
     if (const auto* b = entry.touchdown()) {
       words.push_back(bearing_words(entry.name, *b, p.contact));
+      if (const std::string waves = wave_words(entry.name, b->waviness); !waves.empty()) words.push_back(waves);
       if (const std::string carried = support_words(b->support, support_surroundings(*b)); !carried.empty())
         words.push_back(fmt::format("The outer ring of {} stands on a {}.", entry.name, carried));
     } else
