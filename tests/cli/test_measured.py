@@ -58,6 +58,20 @@ class Measured(ProgramTest):
         plain = json.loads((self.folder / "plain.json").read_text())["measured"]
         self.assertGreater(plain[0]["rms"], 2 * report[0]["rms"])
 
+    def test_the_page_draws_all_that_was_computed(self):
+        """Also where nothing was measured; without a sensor as it is recorded."""
+        header, *rows = (self.folder / "measured.csv").read_text().splitlines()
+        self.write("few.csv", "\n".join([header, *rows[100:250:50]]) + "\n")
+        self.succeed("compare", "truth", "--measured", "few.csv")
+        figure = page_data((self.folder / "truth/measured.html").read_text())["overlay"][0]
+        with h5py.File(self.folder / "truth/results.h5") as h5:
+            times, orbit = h5["/time"][:], h5["/bearings/TB1/orbit"][:, 0]
+        drawn = figure["curves"][0]
+        self.assertEqual(len(figure["measured"]["times"]), 3)
+        self.assertAlmostEqual(drawn["times"][0], times[0], delta=1e-9, msg="s")
+        self.assertAlmostEqual(drawn["times"][-1], times[-1], delta=1e-9, msg="s")
+        numpy.testing.assert_allclose(drawn["values"], numpy.interp(drawn["times"], times, orbit), rtol=1e-4, atol=1e-9)
+
     def test_neither_numbers_nor_page_replace_files_unasked(self):
         for name in ("mine.json", "mine.html"):
             self.write(name, "mine")

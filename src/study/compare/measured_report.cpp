@@ -23,6 +23,12 @@ Json curve(const std::string& name, const TimeSeries& series) {
   return {{"name", name}, {"times", rounded(thin.times, 1., 7)}, {"values", rounded(thin.values, 1., 6)}};
 }
 
+/// What the sensor shows of all that was computed, between the measured times and beyond them, too.
+TimeSeries whole(const TimeSeries& quantity, Measured by) {
+  by.data.times = quantity.times;
+  return {quantity.times, sensed(quantity, by)};
+}
+
 }  // namespace
 
 Json measured_difference(const Measured& m, const std::vector<double>& computed) {
@@ -86,7 +92,7 @@ MeasuredComparison compare_with_measured(const RecordedDrop& drop, const std::ve
     leave_out_after(own, quantity.times.back(), {m.keys.file, 0, 0});
     const auto computed = sensed(quantity, own);
     made.report["measured"].push_back(measured_difference(own, computed));
-    figures.push_back(measured_overlay(own, {{"computed", {own.data.times, computed}}}));
+    figures.push_back(measured_overlay(own, {{"computed", whole(quantity, own)}}));
   }
   const Json data{{"title", "Measured and computed: " + drop.case_name()},
                   {"overlay", std::move(figures)},

@@ -66,7 +66,7 @@ function frame(width, height, x, y, xLabel, yLabel, margin) {
 function overlay(figure) {
   const width = 760, height = 300, margin = { left: 78, right: 10, top: 22, bottom: 40 };
   const all = [figure.measured, ...figure.curves];
-  const x = scaleOf({ values: figure.measured.times }, margin.left, width - margin.right), y = scaleOf({ values: all.flatMap((c) => c.values) }, height - margin.bottom, margin.top);
+  const x = scaleOf({ values: all.flatMap((c) => c.times) }, margin.left, width - margin.right), y = scaleOf({ values: all.flatMap((c) => c.values) }, height - margin.bottom, margin.top);
   const parts = frame(width, height, x, y, "time [s]", label(figure), margin);
   figure.measured.times.forEach((t, i) => parts.push(element("circle", { class: "measured", cx: x.at(t).toFixed(1), cy: y.at(figure.measured.values[i]).toFixed(1), r: 1.8 })));
   figure.curves.forEach((curve, c) => parts.push(element("path", { class: `curve curve-${figure.curves.length - c}`, d: curve.times.map((t, i) => `${i ? "L" : "M"}${x.at(t).toFixed(1)} ${y.at(curve.values[i]).toFixed(1)}`).join("") })));
@@ -75,4 +75,4 @@ function overlay(figure) {
 }
 
 const differenceTable = (list) => table(["series", "file", "values", "rms", ...(list.some((d) => isNumber(d.rms_start)) ? ["rms at the start"] : []), "mean", "largest", "at", "variance explained"],
-  list.map((d) => [d.series, d.file, `${d.n}${d.after_end ? `, ${d.after_end} after the end of the drop left out` : ""}`, short(d.rms) + unitText(d.unit), ...(list.some((o) => isNumber(o.rms_start)) ? [short(d.rms_start)] : []), short(d.mean), short(d.largest), `${short(d.largest_time)} s`, isNumber(d.share) ? `${short(100 * d.share)} %` : "–"]));
+  list.map((d) => [d.series, d.file, `${d.n}${d.after_end ? `, ${d.after_end} after the end of the drop left out` : ""}`, short(d.rms) + unitText(d.unit), ...(list.some((o) => isNumber(o.rms_start)) ? [short(d.rms_start)] : []), short(d.mean) + unitText(d.unit), short(d.largest) + unitText(d.unit), `${short(d.largest_time)} s`, isNumber(d.share) ? `${short(100 * d.share)} %` : "–"]));
