@@ -11,8 +11,12 @@
 namespace rotordrop {
 namespace {
 
+/// @param length  in bytes, at most; a letter of several bytes (UTF-8) is not cut
 std::string shortened(const std::string& text, std::size_t length) {
-  return text.size() <= length ? text : text.substr(0, length) + " … (in parameters.toml)";
+  if (text.size() <= length) return text;
+  const auto is_inside_letter = [](char c) { return (static_cast<unsigned char>(c) & 0xC0u) == 0x80u; };
+  while (length > 0 && is_inside_letter(text[length])) --length;
+  return text.substr(0, length) + " … (in parameters.toml)";
 }
 
 /// "2.0 rad/s" and 2.0 of a parameter in rad/s as number and unit; a value that begins with no number as it is.

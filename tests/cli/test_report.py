@@ -532,6 +532,14 @@ class OtherRuns(ProgramTest):
         self.assertIn("Waves around TB1, number and amplitude: 3 of 20 µm in the bore, 12 of 2 µm on the inner raceway.", data["words"])
         self.assertEqual(data["animation"]["not_drawn"], ["waves of the surfaces", "tilts of rotor and rings"])
 
+    def test_a_long_title_is_cut_between_letters(self):
+        """Whatever the number of bytes before: a letter of two bytes is shown whole or not at all."""
+        for shift in ("", "x"):
+            title = shift + "ü" * 60
+            self.succeed("run", self.case(f'title = "{title}"\n'), "-o", "out", "--force", "--quiet", *settings(run__end_time="1 ms"))
+            value = {row[0]: row[1] for row in self.report()["provenance"]["given"]}["title"]
+            self.assertRegex(value, f'^"?{shift}ü+ … \\(in parameters.toml\\)$')
+
     def test_a_title_of_several_lines_is_refused(self):
         done = self.call("check", self.case('title = "one\\ntwo"\n'))
         self.assertEqual(done.returncode, 2)
