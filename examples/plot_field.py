@@ -27,6 +27,21 @@ from matplotlib.collections import LineCollection  # noqa: E402
 from matplotlib.tri import Triangulation  # noqa: E402
 
 
+def are_within(lines, body):
+    """Which lines [n, 2, 2] in mm are within a body [n]. Cells beside a curved surface are drawn with curved edges and their neighbours with straight ones: such a
+    pair has one common end, and its middles are a bit apart. Roundoff may part both ends."""
+    near, roundoff = 0.05, 1e-4  # of their length; mm
+    middle, length = lines.mean(axis=1), np.linalg.norm(lines[:, 1] - lines[:, 0], axis=1)
+    within = np.zeros(len(lines), dtype=bool)
+    for i, line in enumerate(lines):
+        apart = np.linalg.norm(middle - middle[i], axis=1)
+        candidates = np.flatnonzero((apart < np.maximum(roundoff, near * length[i])) & (body == body[i]))
+        for k in candidates[candidates != i]:
+            meets = np.linalg.norm(line[:, None] - lines[k][None], axis=2).min() < roundoff
+            within[i] |= apart[k] < roundoff or meets
+    return within
+
+
 def outline(field):
     """Segments that belong to one cell alone, as lines [n, 2, 2] in mm: bodies' edges, since files have each cell's points on their own."""
     places = np.round(field["points"][:, :2] * 1e9).astype(np.int64)
@@ -38,8 +53,9 @@ def outline(field):
         ends = number[field["quads"][:, [a, b]]]
         for (i, j), quad in zip(np.sort(ends, axis=1).tolist(), field["quads"][:, [a, b]].tolist()):
             edges.setdefault((i, j, float(body[quad[0]]) if len(body) == len(places) else 0.0), []).append(quad)
-    lines = [quads[0] for quads in edges.values() if len(quads) == 1]
-    return field["points"][np.array(lines), :2] * 1e3
+    alone = [(quads[0], key[2]) for key, quads in edges.items() if len(quads) == 1]
+    lines = field["points"][np.array([ends for ends, _ in alone]), :2] * 1e3
+    return lines[~are_within(lines, np.array([body for _, body in alone]))]
 
 
 def draw(axes, field, values, norm, edges, zoom):

@@ -75,6 +75,21 @@ class StudyPlot(unittest.TestCase):
                 next_step()
 
 
+class FieldPlot(unittest.TestCase):
+    def test_a_body_of_two_cells_has_no_line_within(self):
+        """Two cells of 2 x 1 mm beside each other, each in two parts: the lower one's upper edge is curved, as beside a raceway, the upper one's lower edge straight."""
+        script = load_script(ROOT / "examples/plot_field.py")
+        cells = [[(0, 0), (1, 0), (1, 1.02), (0, 1)], [(1, 0), (2, 0), (2, 1), (1, 1.02)], [(0, 1), (1, 1), (1, 2), (0, 2)], [(1, 1), (2, 1), (2, 2), (1, 2)]]
+        points = script.np.array([(1e-3 * x, 1e-3 * r, 0) for cell in cells for x, r in cell])
+        field = {"points": points, "quads": script.np.arange(16).reshape(4, 4), "data": {"body": script.np.zeros(16)}}
+        lines = script.outline(field)
+        self.assertEqual(len(lines), 8, "2 on each side of the square")
+        self.assertAlmostEqual(script.np.linalg.norm(lines[:, 1] - lines[:, 0], axis=1).sum(), 8, delta=1e-6, msg="mm")
+        # Two bodies that touch keep the line between them.
+        field["data"]["body"][8:] = 1
+        self.assertEqual(len(script.outline(field)), 12)
+
+
 class Plots(WithAResult):
     def test_every_figure_is_drawn(self):
         self.assertNotIn("not in the file", plot(self.result))
