@@ -25,6 +25,11 @@ def refusal(text):
     return 2
 
 
+def compared_levels(damping, best):
+    """The best level, and another one: the smallest, or the largest if that is the best."""
+    return [best] + [level for level in (min(damping), max(damping)) if level != best][:1]
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n", 1)[0])
     parser.add_argument("directory", type=pathlib.Path)
@@ -54,8 +59,7 @@ def main():
     axes[0].errorbar(x, quantile, yerr=[low, high], fmt="k_-", capsize=3, label=f"{100 * choose['quantile']:.0f} % quantile, 95 % interval")
     axes[0].set(xscale="log", xlabel="damping of each support [kN s/m]", ylabel="peak contact force [kN]")
     axes[0].legend(loc="upper left")
-    best = choose["best"]["value"]
-    for value, colour in ((min(damping), "tab:orange"), (best, "tab:blue")):
+    for value, colour in zip(compared_levels(damping, choose["best"]["value"]), ("tab:blue", "tab:orange")):
         axes[1].plot(friction[damping == value], force[damping == value], ".", color=colour, label=f"{value * 1e-3:g} kN s/m")
     axes[1].set(xlabel="friction coefficient")
     axes[1].legend(loc="upper right")

@@ -75,6 +75,12 @@ class StudyPlot(unittest.TestCase):
                 next_step()
 
 
+    def test_the_best_level_is_compared_with_another_one(self):
+        script = load_script(ROOT / "docs/plot_study.py")
+        for best, levels in ((1e3, [1e3, 1e6]), (1e6, [1e6, 1e3]), (1e5, [1e5, 1e3])):
+            self.assertEqual(script.compared_levels([1e3, 1e5, 1e6], best), levels)
+
+
 class FieldPlot(unittest.TestCase):
     def test_a_body_of_two_cells_has_no_line_within(self):
         """Two cells of 2 x 1 mm beside each other, each in two parts: the lower one's upper edge is curved, as beside a raceway, the upper one's lower edge straight."""
