@@ -251,6 +251,12 @@ def orbit_panel(case, axes, bearing, with_legend=True):
     return True
 
 
+def in_the_bore(case, bearings):
+    """For titles of the normal force in the bore: it leaves out what shoulders of the rotor press on the rings."""
+    found = [case.results.get(f"/bearings/{bearing}/shoulder_force", quiet=True) for bearing in bearings]
+    return ", in the bore" if any(series is not None and series[1].any() for series in found) else ""
+
+
 def force_panel(case, axes, bearings, with_zoom=True):
     drawn = [b for b in bearings
              if case.line(axes, f"/bearings/{b}/contact_force", 1e-3, color=case.colour[b], label=b, linewidth=0.8, alpha=0.85)]
@@ -421,7 +427,7 @@ def contact_forces(case):
     drawn = False
     for panel, bearing in zip(axes, bearings):
         drawn |= force_panel(case, panel, [bearing])
-        panel.set_title(f"{bearing}: force between rotor and inner ring", color=case.colour[bearing])
+        panel.set_title(f"{bearing}: force between rotor and inner ring{in_the_bore(case, [bearing])}", color=case.colour[bearing])
     for panel in axes[:-1]:
         panel.set_xlabel("")
     return finished(figure, drawn)
@@ -595,7 +601,7 @@ def overview(case):
         panel.set_ylabel("y, upwards [µm]")
         case.time_axis(panel)
     drawn |= force_panel(case, axes[0, 2], bearings)
-    axes[0, 2].set_title("Contact force between rotor and inner ring")
+    axes[0, 2].set_title(f"Contact force between rotor and inner ring{in_the_bore(case, bearings)}")
     drawn |= speed_panel(case, axes[1, 0], bearings)
     axes[1, 0].set_title("Speed")
     drawn |= rub_heat_panel(case, axes[1, 1], bearings)

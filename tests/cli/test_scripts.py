@@ -130,6 +130,15 @@ class Plots(WithAResult):
         self.assertAlmostEqual(spans[0], axes[0].get_ylim()[1] - axes[0].get_ylim()[0], delta=1e-9 * spans[0])
         script.plt.close(figure)
 
+    def test_with_shoulders_the_contact_force_is_that_in_the_bore(self):
+        script = load_script(ROOT / "examples/plot_drop.py")
+        case = script.Case(script.Results(self.result / "results.h5"), {})
+        titles = lambda: [panel.get_title() or panel.get_title(loc="left") for panel in script.contact_forces(case).axes]  # noqa: E731
+        self.assertEqual(titles(), [f"{name}: force between rotor and inner ring" for name in ("TB1", "TB2")])
+        get = case.results.get
+        case.results.get = lambda name, quiet=False: (get("/time"), script.np.array([0.0, -3.0])) if name == "/bearings/TB2/shoulder_force" else get(name, quiet)
+        self.assertEqual(titles(), ["TB1: force between rotor and inner ring", "TB2: force between rotor and inner ring, in the bore"])
+
     @unittest.skipUnless((PROGRAM.parent / "rotordrop_fe.so").exists(), "built without finite elements")
     def test_the_finite_elements_are_drawn_beside_the_circuit(self):
         script = load_script(ROOT / "examples/plot_drop.py")
