@@ -632,6 +632,15 @@ class InTheBrowser(InABrowser):
         self.assertEqual(self.browser.run("return document.getElementById('page').dataset.ready"), "yes")
         self.assertEqual([m["message"] for m in self.messages], [])
 
+    def test_ticks_of_a_narrow_range_have_the_digits_that_part_them(self):
+        for low, high in ((0, 10), (15200.1, 15200.9), (1.23e6, 1.2309e6), (1.001e-3, 1.009e-3), (0, 5e-5), (100, 100.0005), (-0.3, 0.3), (1e7, 5e7)):
+            with self.subTest((low, high)):
+                made = self.browser.run("return ticks(arguments[0], arguments[1], 5)", low, high)
+                self.assertGreaterEqual(len(made), 3)
+                self.assertEqual(len({tick["text"] for tick in made}), len(made))
+                for tick in made:
+                    self.assertAlmostEqual(float(tick["text"]), tick["value"], delta=1e-3 * (high - low))
+
     def test_nothing_is_asked_of_anyone(self):
         self.assertEqual([url for url in self.requests if not url.startswith("data:")], [(self.out / "report.html").resolve().as_uri()])
 

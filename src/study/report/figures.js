@@ -22,11 +22,7 @@ function ticks(low, high, n) {
   const step = [1, 2, 5, 10].map((m) => m * power).find((s) => s >= raw * 0.999);
   const first = Math.ceil(low / step - 1e-9);
   const last = Math.floor(high / step + 1e-9);
-  const digits = Math.max(0, -Math.floor(Math.log10(step) + 1e-9));
-  return Array.from({ length: last - first + 1 }, (_, i) => {
-    const value = (first + i) * step;
-    return { value, text: step >= 1e6 || step < 1e-4 ? value.toExponential(1) : value.toFixed(Math.min(digits, 6)) };
-  });
+  return Array.from({ length: last - first + 1 }, (_, i) => ({ value: (first + i) * step, text: tickText((first + i) * step, step) }));
 }
 
 // Ticks of an axis; on a logarithmic one, whose values are decimal logarithms, at 1, 2 and 5 times powers of ten.

@@ -7,6 +7,13 @@ const tip = document.getElementById("tip");
 const SVG = "http://www.w3.org/2000/svg";
 const DRAWN = new Set(["svg", "g", "path", "line", "circle", "ellipse", "text", "rect", "title", "image", "clipPath", "defs"]);
 
+// A number on an axis, with the digits that tell it from its neighbour a step away.
+function tickText(value, step) {
+  const places = Math.max(0, Math.min(12, -Math.floor(Math.log10(step) + 1e-9))), size = Math.abs(value);
+  if (size < 1e6 && (size >= 0.01 || step >= 1e-4)) return value.toFixed(places);
+  return size < step * 1e-6 ? "0" : value.toExponential(Math.max(0, Math.floor(Math.log10(size) + 1e-9) - Math.floor(Math.log10(step) + 1e-9)));
+}
+
 function element(name, attributes, ...children) {
   const made = DRAWN.has(name) ? document.createElementNS(SVG, name) : document.createElement(name);
   for (const [key, value] of Object.entries(attributes || {})) made.setAttribute(key, value);

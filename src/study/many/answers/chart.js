@@ -41,7 +41,8 @@ function scaleOf(quantity, from, to, extra = []) {
   const room = 0.04 * (f(high) - f(low)), a = f(low) - room, b = f(high) + room;
   const at = (v) => from + ((f(v) - a) / (b - a)) * (to - from);
   const marks = isLog ? ticks(Math.ceil(a), Math.floor(b), 6).filter((p) => Number.isInteger(p)).map((p) => 10 ** p) : ticks(low, high, 5);
-  return { at, ticks: (isLog && marks.length < 2 ? [low, high] : marks).map((value) => ({ value, text: short(value) })) };
+  const text = (value) => (isLog || marks.length < 2 ? short(value) : tickText(value, marks[1] - marks[0]));
+  return { at, ticks: (isLog && marks.length < 2 ? [low, high] : marks).map((value) => ({ value, text: text(value) })) };
 }
 
 function showTip(event, lines) {
