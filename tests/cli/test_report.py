@@ -861,6 +861,7 @@ note = "Ribbons as delivered.\\nAsk before use."
 run.end_time = "15 ms"
 limits."bearings.*.peak_contact_force".max = "4 kN"
 limits."bearings.TB1.friction_heat".max = "200 J"
+limits."bearings.TB2.largest_ball_force".max = "1 N"
 
 [bearings.L1]
 type = "linear"
@@ -874,6 +875,12 @@ damping = [["10 N s/m", 0], [0, "10 N s/m"]]
         super().setUpClass()
         cls.geometry = json.loads((PARAMS / "neisi2019-rotor.json").read_text())
         cls.x = {node["id"]: 1e3 * node["x"] for node in cls.geometry["nodes"]}  # mm
+
+    def test_limits_that_are_exceeded_stand_at_the_top(self):
+        head, kinds = self.browser.run("const alert = document.querySelector('.alert'); return [alert.textContent, [...alert.classList]]")
+        self.assertIn("Rejected: a limit is exceeded in this drop. bearings.TB2.largest_ball_force", head)
+        self.assertNotIn("No warnings", head)
+        self.assertEqual(kinds, ["alert"], "not green")
 
     def parts(self, selector):
         """Boxes of parts of the side view, in its units (which are pixels at 1366)."""

@@ -118,8 +118,10 @@ function showFields() {
 function showHead() {
   const warnings = data.checks.filter((check) => check.state === "warning"), missing = data.checks.filter((check) => check.state === "unknown"), uncertain = data.checks.filter((check) => check.state === "uncertain");
   page.append(element("h1", {}, data.user_title || data.title), ...(data.user_title ? [element("div", { class: "case-name" }, data.title)] : []), element("div", { class: "subtitle" }, data.provenance.facts.filter((f) => f[0] === "run by").map((f) => f[1]).join("")), element("nav", {}));
-  page.append(element("div", { class: "alert" + (warnings.length ? "" : " none") },
-    ...(warnings.length ? warnings.map((w) => element("p", {}, element("strong", {}, `Warning, ${w.name}: `), w.text)) : [element("p", {}, "No warnings.")]),
+  const { state, verdict, rows } = data.acceptance || { state: "ok" }, isMet = state === "ok";
+  const failed = isMet ? [] : [element("p", {}, element("strong", {}, verdict + " "), rows.filter((r) => r.state === state).map((r) => r.key).join("; "))];
+  page.append(element("div", { class: "alert" + (warnings.length || !isMet ? "" : " none") }, ...failed,
+    ...(warnings.length ? warnings.map((w) => element("p", {}, element("strong", {}, `Warning, ${w.name}: `), w.text)) : [element("p", {}, isMet ? "No warnings." : "No other warnings.")]),
     ...uncertain.map((u) => element("p", {}, element("strong", {}, `Uncertain, ${u.name}: `), u.text)),
     ...(missing.length ? [element("p", {}, element("strong", {}, "Not assessed: "), missing.map((m) => m.name).join("; "))] : [])));
 }
