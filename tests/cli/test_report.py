@@ -641,6 +641,10 @@ class InTheBrowser(InABrowser):
                 for tick in made:
                     self.assertAlmostEqual(float(tick["text"]), tick["value"], delta=1e-3 * (high - low))
 
+    def test_micro_has_its_letter_behind_numbers_too(self):
+        texts = {"um": "µm", "3.362 um": "3.362 µm", "≤ 25 um": "≤ 25 µm", "uJ": "µJ", "N m": "N m", "rpm": "rpm", "vacuum": "vacuum"}
+        self.assertEqual(self.browser.run("return arguments[0].map(unit)", list(texts)), list(texts.values()))
+
     def test_nothing_is_asked_of_anyone(self):
         self.assertEqual([url for url in self.requests if not url.startswith("data:")], [(self.out / "report.html").resolve().as_uri()])
 

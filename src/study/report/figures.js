@@ -5,7 +5,7 @@ const COLOURS = ["#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9
 const DASHES = ["", "7 4", "2 3", "9 3 2 3"];
 
 const list = (texts) => element("ul", {}, ...texts.map((text) => element("li", {}, text)));
-const unit = (text) => text.replace(/^u(?=[mJ])/, "µ");
+const unit = (text) => text.replace(/(^|[^A-Za-z])u(?=[mJ])/g, "$1µ");
 const axisLabel = (axis) => (axis.unit ? `${axis.label} [${unit(axis.unit)}]` : axis.label);
 
 // Five digits and no trailing zeros.
