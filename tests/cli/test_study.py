@@ -416,6 +416,12 @@ kind = "list"
         with h5py.File(self.folder / "out/study.h5") as h5:
             worst = int(h5["/results/peak"][:].argmax())
         self.assertEqual(browser.run("return document.querySelector('#worst-points tbody td').textContent"), str(worst))
+        # Of limits to both sides the worst drop is the one farthest outside, here below them.
+        worst = browser.run("""data.limits.push({ result: "both", min: 10, max: 20 });
+            const result = { name: "both", values: [15, 22, 3, null, 19, 11] };
+            return [worstOf(result), worstWords(result, 5)]""")
+        self.assertEqual(worst[0], [2, 1, 4, 5, 0], "7 below, 2 above, 1 within (twice), 5 within")
+        self.assertIn("The 5 drops farthest beyond the limits of both", worst[1])
         # Evenly spread numbers on an even axis, however small the smallest; those that are even in the logarithm on a logarithmic one.
         middles = browser.run("""const at = (values, middle) => scaleOf({ values }, 0, 1).at(middle);
             return [at([0.01, 1, 2, 3, 4, 5, 6.01], 3.01), at([1e3, 1e4, 1e5, 1e6, 1e7], 1e5)]""")

@@ -4,6 +4,21 @@ const limitsOf = (result) => data.limits.filter((limit) => limit.result === resu
 function isBroken(result, value) {
   return value !== null && limitsOf(result).some((limit) => (isNumber(limit.max) && value > limit.max) || (isNumber(limit.min) && value < limit.min));
 }
+// How far a value is beyond the limits of its result, negative within them; without limits the value itself.
+function beyond(result, value) {
+  const distances = limitsOf(result).flatMap((limit) => [...(isNumber(limit.max) ? [value - limit.max] : []), ...(isNumber(limit.min) ? [limit.min - value] : [])]);
+  return distances.length ? Math.max(...distances) : value;
+}
+function worstOf(result) {
+  const found = result.values.map((_, k) => k).filter((k) => result.values[k] !== null);
+  return found.sort((a, b) => beyond(result, result.values[b]) - beyond(result, result.values[a])).slice(0, 10);
+}
+function worstWords(result, n) {
+  const limits = limitsOf(result), hasMin = limits.some((limit) => isNumber(limit.min)), hasMax = limits.some((limit) => isNumber(limit.max));
+  const drops = n === 1 ? "The drop" : `The ${n} drops`;
+  return hasMin && hasMax ? `${drops} farthest beyond the limits of ${result.name}, or nearest to them;` : `${drops} with the ${hasMin ? "smallest" : "largest"} ${result.name};`;
+}
+
 const describe = (k) => [`point ${data.points[k]}`, ...data.parameters.map((p) => `${p.name}: ${short(p.values[k])}${unitText(p.unit)}`)];
 
 const quantile = (sorted, p) => {
@@ -244,9 +259,8 @@ function show(result) {
   response.replaceChildren(...data.parameters.map((parameter) => scatter(parameter, result)), cumulative(result));
   parallel(result, lines);
   matter.replaceChildren(influences(result));
-  const isMin = limitsOf(result).some((limit) => isNumber(limit.min)) && !limitsOf(result).some((limit) => isNumber(limit.max));
-  const order = result.values.map((_, k) => k).filter((k) => result.values[k] !== null).sort((a, b) => (isMin ? 1 : -1) * (result.values[a] - result.values[b])).slice(0, 10);
-  worst.replaceChildren(element("p", {}, `The ten drops with the ${isMin ? "smallest" : "largest"} ${result.name}; the command makes the full run of one with its report.`),
+  const order = worstOf(result);
+  worst.replaceChildren(element("p", {}, `${worstWords(result, order.length)} the command makes the full run of one with its report.`),
     table(["point", label(result), ...data.parameters.map(label), "command"], order.map((k) => [String(data.points[k]), short(result.values[k]), ...data.parameters.map((p) => short(p.values[k])), `${data.rerun} --point ${data.points[k]}`]), ["number", "number", ...data.parameters.map(() => "number"), "code"]));
 }
 chooser.onchange = () => show(data.results[chooser.value]);
