@@ -3,6 +3,7 @@
 import json
 import random
 import re
+import shlex
 import struct
 import subprocess
 import sys
@@ -416,6 +417,9 @@ kind = "list"
         with h5py.File(self.folder / "out/study.h5") as h5:
             worst = int(h5["/results/peak"][:].argmax())
         self.assertEqual(browser.run("return document.querySelector('#worst-points tbody td').textContent"), str(worst))
+        commands = browser.run("return arguments[0].map((folder) => { data.rerun = 'rotordrop study rerun ' + folder; return rerunCommand(7); })", ["out/a-1", "my study", "it's"])
+        self.assertEqual([shlex.split(command) for command in commands], [["rotordrop", "study", "rerun", folder, "--point", "7"] for folder in ("out/a-1", "my study", "it's")])
+        self.assertEqual(commands[0], "rotordrop study rerun out/a-1 --point 7")
         # Of limits to both sides the worst drop is the one farthest outside, here below them.
         worst = browser.run("""data.limits.push({ result: "both", min: 10, max: 20 });
             const result = { name: "both", values: [15, 22, 3, null, 19, 11] };

@@ -19,6 +19,12 @@ function worstWords(result, n) {
   return hasMin && hasMax ? `${drops} farthest beyond the limits of ${result.name}, or nearest to them;` : `${drops} with the ${hasMin ? "smallest" : "largest"} ${result.name};`;
 }
 
+// "rotordrop study rerun 'my study'": as a shell reads it.
+function rerunCommand(point) {
+  const start = "rotordrop study rerun ", folder = data.rerun.slice(start.length);
+  return `${start}${/^[\w./+:@%,=-]+$/.test(folder) ? folder : `'${folder.replaceAll("'", "'\\''")}'`} --point ${point}`;
+}
+
 const describe = (k) => [`point ${data.points[k]}`, ...data.parameters.map((p) => `${p.name}: ${short(p.values[k])}${unitText(p.unit)}`)];
 
 const quantile = (sorted, p) => {
@@ -261,7 +267,7 @@ function show(result) {
   matter.replaceChildren(influences(result));
   const order = worstOf(result);
   worst.replaceChildren(element("p", {}, `${worstWords(result, order.length)} the command makes the full run of one with its report.`),
-    table(["point", label(result), ...data.parameters.map(label), "command"], order.map((k) => [String(data.points[k]), short(result.values[k]), ...data.parameters.map((p) => short(p.values[k])), `${data.rerun} --point ${data.points[k]}`]), ["number", "number", ...data.parameters.map(() => "number"), "code"]));
+    table(["point", label(result), ...data.parameters.map(label), "command"], order.map((k) => [String(data.points[k]), short(result.values[k]), ...data.parameters.map((p) => short(p.values[k])), rerunCommand(data.points[k])]), ["number", "number", ...data.parameters.map(() => "number"), "code"]));
 }
 chooser.onchange = () => show(data.results[chooser.value]);
 if (data.results.length) show(data.results[0]);
