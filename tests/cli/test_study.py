@@ -402,6 +402,19 @@ kind = "list"
         self.assertIn("no study file", self.call("study").stderr)
 
     @unittest.skipUnless(DRIVER and BROWSER, "chromium and chromium-driver are not installed (./install-dependencies --tests)")
+    def test_the_report_of_one_drop_has_no_empty_sections(self):
+        self.case("")
+        self.write("one.toml", 'case = "drop.toml"\n[vary]\ncontact.friction_coefficient = [0.2]\n[design]\nkind = "grid"\n')
+        self.study("one", file="one.toml")
+        self.succeed("study", "report", "one")
+        browser = Browser()
+        self.addCleanup(browser.close)
+        browser.open(self.folder / "one/report.html")
+        self.assertEqual([m["message"] for m in browser.log("browser")], [])
+        self.assertEqual(browser.run("return [...document.querySelectorAll('h2')].map((e) => e.textContent)"), ["Answers", "Response", "Provenance"])
+        self.assertIn("rotordrop study rerun one --point 0", browser.run("return document.querySelector('#response').textContent"))
+
+    @unittest.skipUnless(DRIVER and BROWSER, "chromium and chromium-driver are not installed (./install-dependencies --tests)")
     def test_the_report_is_drawn_and_an_axis_selects(self):
         self.study("out")
         self.succeed("study", "report", "out")

@@ -246,29 +246,36 @@ function showFit() {
   section("Fit", ...parts);
 }
 
+// The sections of one result, which the reader chooses.
+function showResults() {
+  const chooser = element("select", { id: "result", "aria-label": "result" }, ...data.results.map((r, i) => element("option", { value: i }, r.long_name ? `${r.name}: ${r.long_name}` : r.name)));
+  const response = element("div", { class: "small" }), lines = element("div", {}), matter = element("div", {}), worst = element("div", {});
+  section("Response", element("div", { class: "choice" }, element("label", {}, "Result: ", chooser)), response,
+    element("p", { class: "note" }, "Each point is a drop; orange ones break a limit (dashed). Line and band: median and 5 to 95 % of neighbouring drops. The last figure: share of drops below a value."));
+  section("Parallel coordinates", lines);
+  section("What matters", matter);
+  section("Worst points", worst);
+
+  function show(result) {
+    response.replaceChildren(...data.parameters.map((parameter) => scatter(parameter, result)), cumulative(result));
+    parallel(result, lines);
+    matter.replaceChildren(influences(result));
+    const order = worstOf(result);
+    worst.replaceChildren(element("p", {}, `${worstWords(result, order.length)} the command makes the full run of one with its report.`),
+      table(["point", label(result), ...data.parameters.map(label), "command"], order.map((k) => [String(data.points[k]), short(result.values[k]), ...data.parameters.map((p) => short(p.values[k])), rerunCommand(data.points[k])]), ["number", "number", ...data.parameters.map(() => "number"), "code"]));
+  }
+  chooser.onchange = () => show(data.results[chooser.value]);
+  show(data.results[0]);
+}
+
 page.append(element("h1", {}, data.title), element("div", { class: "subtitle" }, data.subtitle), element("nav", {}));
 showAnswers();
 if (data.minimise) showSearch();
 if (data.fit) showFit();
 if (data.surrogate) showSurrogates();
-const chooser = element("select", { id: "result", "aria-label": "result" }, ...data.results.map((r, i) => element("option", { value: i }, r.long_name ? `${r.name}: ${r.long_name}` : r.name)));
-const response = element("div", { class: "small" }), lines = element("div", {}), matter = element("div", {}), worst = element("div", {});
-section("Response", element("div", { class: "choice" }, element("label", {}, "Result: ", chooser)), response,
-  element("p", { class: "note" }, "Each point is a drop; orange ones break a limit (dashed). Line and band: median and 5 to 95 % of neighbouring drops. The last figure: share of drops below a value."));
-section("Parallel coordinates", lines);
-section("What matters", matter);
-section("Worst points", worst);
+if (data.results.length) showResults();
+else section("Response", element("p", {}, data.points.length > 1 ? "No result differs between the drops." : "One drop alone has no response to draw."), element("p", {}, "The command makes the full run of a drop with its report:"), element("p", { class: "code" }, rerunCommand(data.points[0])));
 if (data.failed.length) section("Failed points", table(["point", ...data.parameters.map(label), "reason"], data.failed.map((f) => [String(f.point), ...f.values.map(short), f.reason]), ["number"]));
 section("Provenance", table(["", ""], Object.entries(data.facts), ["", "code"]));
 
-function show(result) {
-  response.replaceChildren(...data.parameters.map((parameter) => scatter(parameter, result)), cumulative(result));
-  parallel(result, lines);
-  matter.replaceChildren(influences(result));
-  const order = worstOf(result);
-  worst.replaceChildren(element("p", {}, `${worstWords(result, order.length)} the command makes the full run of one with its report.`),
-    table(["point", label(result), ...data.parameters.map(label), "command"], order.map((k) => [String(data.points[k]), short(result.values[k]), ...data.parameters.map((p) => short(p.values[k])), rerunCommand(data.points[k])]), ["number", "number", ...data.parameters.map(() => "number"), "code"]));
-}
-chooser.onchange = () => show(data.results[chooser.value]);
-if (data.results.length) show(data.results[0]);
 page.dataset.ready = "yes";
