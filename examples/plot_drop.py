@@ -15,6 +15,7 @@ import multiprocessing
 import pathlib
 import re
 import sys
+import tomllib
 
 try:
     import h5py
@@ -117,9 +118,32 @@ class Results:
             self.missing.append(name)
         return None
 
+    def parameters(self):
+        text = self.file["/parameters"][()] if "/parameters" in self.file else ""
+        return text.decode() if isinstance(text, bytes) else str(text)
+
     def end_time(self):
         times = self.file.get("/time")
         return float(times[-1]) if isinstance(times, h5py.Dataset) and len(times) else 1.0
+
+
+def gravity_of(parameters):
+    """run.gravity of a case along x, y, z [m/s^2]; of one number along -y. None if the text has none that can be read."""
+    try:
+        gravity = tomllib.loads(parameters)["run"]["gravity"]
+        if isinstance(gravity, list):
+            return [float(component) for component in gravity]
+        return [0.0, -float(str(gravity).split()[0]), 0.0]
+    except (KeyError, ValueError, IndexError):
+        return None
+
+
+def axis_words(gravity, axis):
+    """", upwards" and the like of y (1) or z (2), where gravity acts along one of the two; otherwise nothing."""
+    acting = [k for k in range(3) if gravity[k]] if gravity else []
+    if acting == [axis]:
+        return ", upwards" if gravity[axis] < 0 else ", downwards"
+    return ", horizontal" if acting == [3 - axis] else ""
 
 
 class Case:
@@ -127,12 +151,16 @@ class Case:
 
     def __init__(self, results, summary):
         self.results = results
+        self.gravity = gravity_of(results.parameters())
         self.name = results.attribute("case") or summary.get("case") or ""
         self.colour = {name: BEARING_COLOURS[i % len(BEARING_COLOURS)] for i, name in enumerate(results.bearings)}
         self.end = results.end_time()
         self.in_ms = self.end <= 2
         self.time_unit = "ms" if self.in_ms else "s"
         self._summary = summary
+
+    def axis_label(self, axis):
+        return f"{'xyz'[axis]}{axis_words(self.gravity, axis)} [µm]"
 
     def scaled(self, times):
         return times * (1e3 if self.in_ms else 1)
@@ -244,8 +272,8 @@ def orbit_panel(case, axes, bearing, with_legend=True):
     axes.set_ylim(centre[1] - 1.08 * reach, centre[1] + 1.08 * reach)
     for axis in (axes.xaxis, axes.yaxis):
         axis.set_major_locator(matplotlib.ticker.MaxNLocator(7, symmetric=True, steps=[1, 2, 5, 10]))
-    axes.set_xlabel("z, horizontal [µm]")
-    axes.set_ylabel("y, upwards [µm]")
+    axes.set_xlabel(case.axis_label(2))
+    axes.set_ylabel(case.axis_label(1))
     if with_legend:  # in the upper half of the circle: the rotor falls away from there
         legend(axes, loc="upper center", bbox_to_anchor=(0.5, 0.83), handlelength=1.6, labelspacing=0.3)
     return True
@@ -401,7 +429,7 @@ def displacements(case):
     figure, axes = stack(2)
     drawn = False
     gap_label = "air gap, ring at rest"
-    for column, (panel, label) in enumerate(zip(axes, ("y, upwards [µm]", "z, horizontal [µm]"))):
+    for column, (panel, label) in enumerate(zip(axes, (case.axis_label(1), case.axis_label(2)))):
         for bearing in bearings:
             drawn |= case.line(panel, f"/bearings/{bearing}/orbit", 1e6, column, color=case.colour[bearing], label=bearing,
                                linewidth=0.9)
@@ -597,8 +625,8 @@ def overview(case):
     else:
         panel = axes[0, 1]
         drawn |= case.line(panel, f"/bearings/{bearings[0]}/orbit", 1e6, 0, color=case.colour[bearings[0]])
-        panel.set_title("Vertical displacement of the rotor")
-        panel.set_ylabel("y, upwards [µm]")
+        panel.set_title("Displacement of the rotor along y")
+        panel.set_ylabel(case.axis_label(1))
         case.time_axis(panel)
     drawn |= force_panel(case, axes[0, 2], bearings)
     axes[0, 2].set_title(f"Contact force between rotor and inner ring{in_the_bore(case, bearings)}")

@@ -130,6 +130,13 @@ class Plots(WithAResult):
         self.assertAlmostEqual(spans[0], axes[0].get_ylim()[1] - axes[0].get_ylim()[0], delta=1e-9 * spans[0])
         script.plt.close(figure)
 
+    def test_axes_are_called_by_the_direction_of_gravity(self):
+        script = load_script(ROOT / "examples/plot_drop.py")
+        for gravity, words in (("9.81", (", upwards", ", horizontal")), ('"9.81 m/s2"', (", upwards", ", horizontal")), ("[0, 0, -9.81]", (", horizontal", ", upwards")), ("[0, 9.81, 0]", (", downwards", ", horizontal")), ("[-9.81, 0, 0]", ("", "")), ("[0, -5, -5]", ("", "")), ("0", ("", ""))):
+            found = script.gravity_of(f"[run]\ngravity = {gravity}\n")
+            self.assertEqual(tuple(script.axis_words(found, axis) for axis in (1, 2)), words, gravity)
+        self.assertEqual(script.Case(script.Results(self.result / "results.h5"), {}).axis_label(1), "y, upwards [µm]")
+
     def test_with_shoulders_the_contact_force_is_that_in_the_bore(self):
         script = load_script(ROOT / "examples/plot_drop.py")
         case = script.Case(script.Results(self.result / "results.h5"), {})
