@@ -523,6 +523,27 @@ class OtherRuns(ProgramTest):
                 rows = [row["name"] for row in data["numbers"]["rows"] if "displacement" in row["name"]]
                 self.assertEqual(rows, [title.lower().replace(" of the rotor", ", peak-to-peak") for title in titles])
 
+    def test_rows_too_far_apart_have_no_spectra_but_the_interval_that_would_do(self):
+        for name in ("neisi2019-settling.toml", "neisi2019.toml"):
+            shutil.copy(SOURCE / "params" / name, self.folder)
+        self.write("coarse.toml", 'base = "neisi2019-settling.toml"\nrun.end_time = "200 ms"\n')
+
+        def report(interval):
+            self.succeed("run", "coarse.toml", "-o", "out", "--force", "--quiet", *settings(output__longest_interval=interval))
+            return self.report()
+
+        coarse = report("5 ms")
+        self.assertEqual(coarse["waterfalls"], [])
+        self.assertFalse([chart for chart in coarse["charts"] if chart["section"] == "Spectra"])
+        fine = report(re.search(r'output.longest_interval = "(\d+ us)"', coarse["spectra_note"])[1])
+        self.assertNotIn("spectra_note", fine)
+        with h5py.File(self.folder / "out/results.h5") as results:
+            apart = numpy.diff(results["/time"][:]).max()
+        note = next(chart["note"] for chart in fine["charts"] if chart["id"] == "spectrum-force-TB1")
+        self.assertIn(f"Rows are up to {apart * 1e6:.3g} µs apart", note)
+        self.assertIn(f"motion faster than {0.5 / apart:.4g} Hz would fold back", note)
+        self.assertNotIn("left out", note)
+
     def test_waves_and_tilts_are_told_though_not_drawn(self):
         for name in ("neisi2019-thrust.toml", "neisi2019-settling.toml", "neisi2019.toml"):
             shutil.copy(SOURCE / "params" / name, self.folder)
