@@ -326,7 +326,7 @@ class Running(PackageTest):
     def test_a_run_that_fails_is_a_solver_error(self):
         # Explicit steps of 200 us through contacts whose period is a tenth of that.
         case = rd.Case(PARAMS / "neisi2019.toml", {"run.end_time": "10 ms", "integration.method": "runge-kutta-4", "integration.step": "200 us", "output.interval": "10 us"})
-        with self.assertRaisesRegex(rd.SolverError, "the step is too long for the stiffest contact|is cooled below 0 K"):
+        with self.assertRaisesRegex(rd.SolverError, "the step is too long for the stiffest contact|is cooled below 0 K|is not a number"):
             case.run()
         self.assertTrue(issubclass(rd.SolverError, RuntimeError))
 

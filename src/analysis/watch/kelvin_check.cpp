@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "base/errors.h"
 
 namespace rotordrop {
@@ -16,13 +18,16 @@ KelvinCheck::KelvinCheck(const std::vector<Observable>& observables, std::size_t
 }
 
 void KelvinCheck::row(double time, std::span<const double> row) {
-  for (const auto& place : places_)
+  for (const auto& place : places_) {
+    if (std::isnan(row[place.at]))
+      throw SolverError(fmt::format("the temperature of {} is not a number at t = {:.6g} s.", place.name, time));
     if (!(row[place.at] > 0.))
       throw SolverError(fmt::format(
           "{} is cooled below 0 K at t = {:.6g} s: it would be {:.4g} K. Nothing can give off "
           "so much heat.\n       Often the step is too long for the stiffest contact; else check run.ambient, "
           "and the heat and resistances of that bearing.",
           place.name, time, row[place.at]));
+  }
 }
 
 }  // namespace rotordrop

@@ -156,13 +156,17 @@ class InStateVector final : public HeatedBearing {
  private:
   void require_above_zero() const {
     const auto T = temperatures();
-    for (std::size_t i = 0; i < T.size(); ++i)
+    for (std::size_t i = 0; i < T.size(); ++i) {
+      if (std::isnan(T[i]))
+        throw SolverError(fmt::format("the temperature of {} of {} is not a number before t = {:.6g} s.", names_[i],
+                                      settings_.bearing, time_));
       if (!(T[i] > 0.))
         throw SolverError(
             fmt::format("{} of {} is cooled below 0 K before t = {:.6g} s: its temperature would be "
                         "{:.4g} K. No boundary can give off so much heat: check the negative values of "
                         "[[heat.source]].",
                         names_[i], settings_.bearing, time_, T[i]));
+    }
   }
   [[nodiscard]] std::span<const double> temperature_state() const { return system_.model_state(state_); }
 
