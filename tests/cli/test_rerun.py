@@ -71,6 +71,18 @@ class Rerun(ProgramTest):
         said = re.search(r"OTHER bits than out/results\.h5: 1 of \d+ datasets differ\n  /bearings/TB1/contact_force: largest difference 0\.25 N, first at ([0-9.]+) ms", done.stdout)
         self.assertAlmostEqual(float(said[1]), 1e3 * time_there, delta=1e-3)
 
+    def test_the_instruction_set_is_recorded(self):
+        now = re.search(r"instruction set (\w+)", self.succeed("--version").stdout)[1]
+        self.succeed("run", self.case(""), "-o", "out")
+        with h5py.File(self.folder / "out/results.h5", "r+") as file:
+            self.assertEqual(file.attrs["instruction_set"], now)
+            file["bearings/TB1/contact_force"][3] += 0.25
+        self.assertNotIn("instruction set", self.call("rerun", "out/results.h5", "-o", "again").stdout, "it is the same")
+        for recorded, told in (("other", f"The instruction set was other and is {now}; ROTORDROP_ISA=other"), (f"other, {now}", f"had other, {now} one after the other")):
+            with h5py.File(self.folder / "out/results.h5", "r+") as file:
+                file.attrs["instruction_set"] = recorded
+            self.assertIn(told, self.call("rerun", "out/results.h5", "-o", "again", "--force").stdout)
+
     def test_an_interrupted_run_is_compared_as_far_as_it_goes(self):
         running = start("run", "reference.toml", "-o", "out", *FIXED, *settings(run__end_time="1 s"), cwd=self.folder)
         while not (self.folder / "out/results.h5").exists():

@@ -13,13 +13,27 @@
 namespace rotordrop {
 namespace {
 
-RecordHeader record_header(const Case& drop_case) {
+/// Those that a resumed run had so far, and the one that it has now.
+std::string instruction_sets(const std::filesystem::path& recorded) {
+  const std::string now = name_of(vector_level);
+  std::string before = "unknown";
+  try {
+    before = read_attribute(recorded, "/", "instruction_set");
+  } catch (const DamagedFile&) {
+    throw;
+  } catch (const InputError&) {  // of an earlier version
+  }
+  return before == now || before.ends_with(", " + now) ? before : before + ", " + now;
+}
+
+RecordHeader record_header(const Case& drop_case, const std::string& instruction_set) {
   RecordHeader header{
       {{"program", program_name()},
        {"git_revision", git_revision()},
        {"sundials_version", sundials_version()},
        {"hdf5_version", hdf5_version()},
        {"processor", processor_name()},
+       {"instruction_set", instruction_set},
        {"case", drop_case.name},
        {"frame",
         "x along the rotor axis, y up, z horizontal; y, z from the unloaded outer ring's axis; angles from +y "
@@ -55,11 +69,12 @@ void DropRecord::open(bool overwrite) {
   RecorderOptions options;
   options.overwrite = overwrite;
   options.seconds_until_made = 0.15;  // a drop that is over sooner is written in one go, which takes half the time
-  recorder_.emplace(file_, record_header(case_), groups_, options);
+  recorder_.emplace(file_, record_header(case_, name_of(vector_level)), groups_, options);
 }
 
 void DropRecord::resume(double time, const RecordedRows& recorded, MemorySeries& series) {
-  recorder_.emplace(resume_recording(file_, time, record_header(case_), groups_, {}, recorded).recorder);
+  const RecordHeader header = record_header(case_, instruction_sets(file_));
+  recorder_.emplace(resume_recording(file_, time, header, groups_, {}, recorded).recorder);
   recorder_->flush();
   series.restore([&](const std::string& path) { return read_series(file_, path).values; });
 }

@@ -199,6 +199,28 @@ BitComparison compare_bits(const fs::path& first, const fs::path& second) {
   return result;
 }
 
+namespace {
+
+/// @param recorded  another than ours, or several of a run that was resumed: "v3, v4"
+std::string instruction_set_text(const std::string& recorded) {
+  const std::string ours = name_of(vector_level);
+  if (recorded.find(',') != std::string::npos)
+    return fmt::format(
+        "The run was resumed with another instruction set, and had {} one after the other: no rerun has its bits. "
+        "This one has {}.\n",
+        recorded, ours);
+  if (recorded == "unknown")
+    return fmt::format(
+        "The instruction set is {}, and was not recorded; ROTORDROP_ISA in the environment chooses "
+        "another.\n",
+        ours);
+  return fmt::format(
+      "The instruction set was {0} and is {1}; ROTORDROP_ISA={0} in the environment chooses the former.\n", recorded,
+      ours);
+}
+
+}  // namespace
+
 std::string rerun_text(const RecordedInput& input, const BitComparison& c) {
   const std::string part = c.is_part ? ", up to where the recorded run was interrupted" : "";
   if (c.differences.empty())
@@ -217,10 +239,7 @@ std::string rerun_text(const RecordedInput& input, const BitComparison& c) {
   if (input.processor != processor_name())
     text += fmt::format("The processor was {} and is {}.\n", input.processor, processor_name());
   const bool has_same_set = input.instruction_set == name_of(vector_level);
-  if (!has_same_set)
-    text += fmt::format(
-        "The instruction set was {0} and is {1}; ROTORDROP_ISA={0} in the environment chooses the former.\n",
-        input.instruction_set, name_of(vector_level));
+  if (!has_same_set) text += instruction_set_text(input.instruction_set);
   if (has_same_set && input.program == program && input.revision == git_revision() &&
       input.processor == processor_name())
     text +=
