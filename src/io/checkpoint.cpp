@@ -309,8 +309,8 @@ void require_same_case(const fs::path& path, const Checkpoint& checkpoint, const
     faults.add({path.string()},
                "this checkpoint was written with other parameters (digest " + checkpoint.parameter_digest +
                    "; this case has " + parameter_digest + ").",
-               "Compare the parameters saved beside the results with those of this case, or start afresh. A mesh or a "
-               "recording that the case names must be what it was, too.");
+               "Compare the parameters saved beside the results with those of this case, or start afresh. A mesh, a "
+               "recording or a module of parts that the case names must be what it was, too.");
   faults.throw_if_any();
 }
 
