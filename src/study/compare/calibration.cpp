@@ -37,6 +37,8 @@ std::vector<CalibratedBearing> calibrate(const Case& c, const CalibrationSetting
   // What a user adds to the circuit is not fitted.
   p.thermal.nodes.clear();
   p.thermal.resistors.clear();
+  // Nor is heat of supports of others, which may enter these.
+  std::erase_if(p.bearings, [](const SupportEntry& entry) { return entry.other() != nullptr; });
   Faults faults;
   check_machine(p, c.tree, faults);
   faults.throw_if_any();
