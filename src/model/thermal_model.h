@@ -21,7 +21,7 @@ class ThermalModel {
 
   [[nodiscard]] virtual std::vector<StateEntry> state_entries() const = 0;
   virtual void initial_state(std::span<double> temperature) const = 0;
-  /// Growth of every place [n_places] over ambient; depends on temperatures alone, linearly.
+  /// Growth of every place [n_places] over ambient; depends on temperatures alone, linearly. That is tried once, when the machine is made.
   virtual void growth(std::span<const double> temperature, std::span<Expansion> out) const = 0;
   /// Growth rates [m/s] from temperature rates [K/s].
   virtual void growth_rates(std::span<const double> temperature_rate, std::span<Expansion> out) const = 0;
@@ -37,7 +37,7 @@ class ThermalModel {
                          [[maybe_unused]] std::span<double> to) const {
     throw std::logic_error("this thermal model cannot follow");
   }
-  /// Names of places that the heat of supports other than bearings can enter, "TB1/housing"; such heat is not among HeatInput.
+  /// Names of places that the heat of supports other than bearings can enter, "TB1/housing", each once; such heat is not among HeatInput.
   [[nodiscard]] virtual std::vector<std::string> heat_ports() const { return {}; }
   /// Adds to the rates of rates() what heat into one of these does; all of it is stored.
   /// @param port   index among heat_ports()
@@ -48,9 +48,9 @@ class ThermalModel {
   [[nodiscard]] virtual std::vector<Observable> observables() const = 0;
   virtual void observe(std::span<const double> temperature, std::span<const HeatInput> heat,
                        std::span<double> out) const = 0;
-  /// States that are the mean temperatures of the inner rings [n_places]; empty if there are none such.
+  /// States that are the mean temperatures of the inner rings [n_places]; empty if there are none such (ThermalKind::has_ring_states).
   [[nodiscard]] virtual std::vector<std::size_t> ring_states() const { return {}; }
-  /// Heat stored over ambient [J].
+  /// Heat stored since the start [J]: 0 at initial_state().
   [[nodiscard]] virtual double stored_energy(std::span<const double> temperature) const = 0;
   /// observe() of eight states side by side: each as if it were alone, but for roundoff.
   /// @param temperature, out  number i of state l at [i * RowTile::width + l]; @param heat  of one state after the other

@@ -43,7 +43,8 @@ void add_thermal_models(const MachineParameters& p, const Node& case_node, Finit
     const MakeThermalModel make = maker_of(p.thermal, *kind, faults);
     faults.throw_if_any();
     auto model = make(geometry);
-    check_declared(model.get(), *kind, position_of_value(table_of(case_node, "thermal"), "models"), faults);
+    check_declared(model.get(), *kind, geometry.bearings.size(),
+                   position_of_value(table_of(case_node, "thermal"), "models"), faults);
     faults.throw_if_any();
     if (p.contact.friction_over_temperature && !parts.friction_temperatures)
       if (auto states = model->ring_states(); !states.empty())

@@ -12,6 +12,8 @@
 #include "bearing/touchdown_bearing.h"
 
 namespace rotordrop {
+#include "machine/others/declared_heat.h"
+#include "thermal/circuit/thermal_network.h"
 namespace {
 
 /// Names of one kind that a part brings along, each once.
@@ -168,15 +170,20 @@ void check_declared(const Support* support, const std::string& name, const Sourc
   check_kinds(step, names);
 }
 
-void check_declared(const ThermalModel* model, const ThermalKind& kind, const SourcePosition& where, Faults& faults) {
+void check_declared(const ThermalModel* model, const ThermalKind& kind, std::size_t n_places,
+                    const SourcePosition& where, Faults& faults) {
   DeclaredNames names("thermal model \"" + kind.name + "\"", where, faults);
   if (!model) {
     names.refuse("nothing was made by its kind.");
     return;
   }
-  if (kind.is_circuit || kind.meshes_sections) return;
+  const auto refuse = [&](const std::string& what, const std::string& advice) { names.refuse(what, advice); };
+  check_ring_states(*model, kind, n_places, refuse);
+  const bool is_ours = kind.meshes_sections || (kind.is_circuit && dynamic_cast<const ThermalNetwork*>(model));
+  if (is_ours) return;
   check_states(model->state_entries(), names);
   check_series(model->observables(), names);
 }
 
 }  // namespace rotordrop
+  check_heat(*model, n_places, refuse);
