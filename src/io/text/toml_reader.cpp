@@ -9,6 +9,7 @@
 #include <tuple>
 
 #include "base/trimmed.h"
+#include "base/utf8.h"
 #include "io/text/comments.h"
 #include "io/text/input_file.h"
 #include "io/text/parameter_keys.h"
@@ -102,16 +103,8 @@ std::vector<std::string_view> comments_of_lines(std::string_view text) {
 
 /// Line of the first letter that is no UTF-8, from 1; 0 if all is.
 int first_line_not_utf8(std::string_view text) {
-  int line = 1;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    const auto c = static_cast<unsigned char>(text[i]);
-    line += c == '\n' ? 1 : 0;
-    const int more = c < 0x80u ? 0 : c >= 0xf0u ? 3 : c >= 0xe0u ? 2 : c >= 0xc2u ? 1 : -1;
-    if (more < 0) return line;
-    for (int k = 0; k < more; ++k)
-      if (++i >= text.size() || (static_cast<unsigned char>(text[i]) & 0xc0u) != 0x80u) return line;
-  }
-  return 0;
+  const std::size_t at = first_not_utf8(text);
+  return at == std::string_view::npos ? 0 : 1 + static_cast<int>(std::ranges::count(text.substr(0, at), '\n'));
 }
 
 /// Refuses what is another kind of file.

@@ -2,11 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <exception>
 #include <new>
 #include <utility>
 
 #include "base/errors.h"
+#include "base/utf8.h"
 #include "bearing/touchdown_bearing.h"
 #include "thermal/circuit/thermal_network.h"
 
@@ -28,10 +30,16 @@ auto at_door(const std::string& part, const char* function, const Call& call) ->
   } catch (const std::bad_alloc&) {
     throw;
   } catch (const std::exception& error) {
-    tell(part, function, error.what());
+    tell(part, function, is_utf8(error.what()) ? error.what() : "its message is no UTF-8.");
   } catch (...) {
     tell(part, function, "it threw what is no std::exception.");
   }
+}
+
+/// An energy, without which there is no balance.
+double finite(const std::string& part, const char* function, double energy) {
+  if (!std::isfinite(energy)) tell(part, function, "it returned what is no finite number.");
+  return energy;
 }
 
 /// The same where a part may find faults of the input.
@@ -80,9 +88,13 @@ class GuardedSupport final : public Support {
   void evaluate(const SupportInput& input, std::span<const double> y, std::span<double> dydt,
                 std::span<double> ledger_rates, SupportOutput& out) const override {
     at_door(part_, "evaluate()", [&] { inner_->evaluate(input, y, dydt, ledger_rates, out); });
+    if (out.heat.rub != 0. || out.heat.inner != 0. || out.heat.outer != 0.)
+      tell(part_, "evaluate()",
+           "it gives heat as a touchdown bearing does (SupportOutput::heat), which no thermal model takes from it. "
+           "What it dissipates is other_dissipation; heat_port() and heat_into_port warm thermal models.");
   }
   [[nodiscard]] double energy(const SupportInput& input, std::span<const double> y) const override {
-    return at_door(part_, "energy()", [&] { return inner_->energy(input, y); });
+    return finite(part_, "energy()", at_door(part_, "energy()", [&] { return inner_->energy(input, y); }));
   }
 
  private:
@@ -135,7 +147,8 @@ class GuardedThermalModel final : public ThermalModel {
     return at_door(part_, "ring_states()", [&] { return inner_->ring_states(); });
   }
   [[nodiscard]] double stored_energy(std::span<const double> temperature) const override {
-    return at_door(part_, "stored_energy()", [&] { return inner_->stored_energy(temperature); });
+    return finite(part_, "stored_energy()",
+                  at_door(part_, "stored_energy()", [&] { return inner_->stored_energy(temperature); }));
   }
   void observe_tile(std::span<const double> temperature, std::span<const HeatInput> heat,
                     std::span<double> out) const override {

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <functional>
 #include <new>
 #include <stdexcept>
@@ -21,10 +22,12 @@ struct Throwing final : Support {
   [[nodiscard]] std::vector<Observable> observables() const override { return {}; }
   void initial_state(std::span<double>) const override {}
   void evaluate(const SupportInput&, std::span<const double>, std::span<double>, std::span<double>,
-                SupportOutput&) const override {
+                SupportOutput& out) const override {
     fault_();
+    out.heat.rub = rub;
   }
-  [[nodiscard]] double energy(const SupportInput&, std::span<const double>) const override { return 3.; }
+  [[nodiscard]] double energy(const SupportInput&, std::span<const double>) const override { return stored; }
+  double rub = 0., stored = 3.;
 
  private:
   std::string name_;
@@ -33,6 +36,7 @@ struct Throwing final : Support {
 
 struct Faulty {
   Fault at_reading = [] {}, at_making = [] {}, at_run = [] {};
+  double rub = 0., stored = 3.;
 };
 
 std::unique_ptr<Support> made(const Faulty& faulty) {
@@ -42,7 +46,10 @@ std::unique_ptr<Support> made(const Faulty& faulty) {
     faulty.at_reading();
     return OtherSupport{1, [faulty](const std::string& name) {
                           faulty.at_making();
-                          return std::make_unique<Throwing>(name, faulty.at_run);
+                          auto part = std::make_unique<Throwing>(name, faulty.at_run);
+                          part->rub = faulty.rub;
+                          part->stored = faulty.stored;
+                          return part;
                         }};
   };
   Faults faults;
@@ -88,6 +95,25 @@ TEST(GuardedParts, FaultsOfTheInputAndLackOfMemoryStayWhatTheyAre) {
   EXPECT_THROW(made({.at_making = input}), InputError);
   EXPECT_NE(told_by([] { evaluate(*made({.at_run = input})); }), "") << "too late for that";
   EXPECT_THROW(evaluate(*made({.at_run = memory})), std::bad_alloc);
+}
+
+TEST(GuardedParts, HeatThatNobodyTakesIsTold) {
+  EXPECT_NE(told_by([] { evaluate(*made({.rub = 5.})); }).find("no thermal model takes"), std::string::npos);
+  EXPECT_EQ(told_by([] { evaluate(*made({})); }), "");
+}
+
+TEST(GuardedParts, AnEnergyThatIsNoNumberIsTold) {
+  const auto unknown = made({.stored = std::nan("")});
+  EXPECT_NE(told_by([&] { static_cast<void>(unknown->energy({}, {})); }).find("failed in energy()"), std::string::npos);
+}
+
+TEST(GuardedParts, MessagesInOtherLettersAreReplaced) {
+  const Fault latin = [] {
+    throw std::runtime_error(
+        "B\xfc"
+        "chse");
+  };
+  EXPECT_NE(told_by([&] { evaluate(*made({.at_run = latin})); }).find("its message is no UTF-8"), std::string::npos);
 }
 
 TEST(GuardedParts, ThermalModelsAreGuardedWithAndWithoutKeys) {
