@@ -9,6 +9,8 @@
 #include <string>
 #include <utility>
 
+#include "base/units.h"
+#include "base/utf8.h"
 #include "bearing/touchdown_bearing.h"
 
 namespace rotordrop {
@@ -26,6 +28,7 @@ class DeclaredNames {
   /// @param what  "state", "series", "ledger"
   bool add(const std::string& what, const std::string& name) {
     if (name.empty()) return refuse(fmt::format("the name of a {} is empty.", what));
+    if (!is_utf8(name)) return refuse(fmt::format("the name of a {} is no UTF-8.", what));
     const auto is_control = [](unsigned char c) { return c < 0x20 || c == 0x7f; };
     if (std::any_of(name.begin(), name.end(), is_control))
       return refuse(fmt::format("the name of a {} holds a control character.", what));
@@ -47,6 +50,15 @@ class DeclaredNames {
     }
     return add(what, name);
   }
+  /// What is written beside a name.
+  bool add_words(const std::string& what, const std::string& name, const std::string& unit,
+                 const std::string& long_name) {
+    if (!is_utf8(long_name)) return refuse(fmt::format("the long name of {} \"{}\" is no UTF-8.", what, name));
+    if (!is_utf8(unit) || !is_unit(unit))
+      return refuse(fmt::format("the unit of {} \"{}\" is not known.", what, name),
+                    "Units are written as in \"N m\", \"W/(m K)\" or \"kg/m3\"; a number has \"1\".");
+    return true;
+  }
   bool refuse(const std::string& message, const std::string& advice = "") {
     faults_.add(where_, fmt::format("{}: {}", of_, message), advice);
     return false;
@@ -61,7 +73,8 @@ class DeclaredNames {
 
 void check_states(const std::vector<StateEntry>& entries, DeclaredNames names) {
   for (const StateEntry& entry : entries)
-    if (names.add("state", entry.name) && !(entry.scale > 0. && std::isfinite(entry.scale)))
+    if (names.add("state", entry.name) && names.add_words("state", entry.name, entry.unit, entry.long_name) &&
+        !(entry.scale > 0. && std::isfinite(entry.scale)))
       names.refuse(fmt::format("the scale of state \"{}\" must be larger than 0 and is {}.", entry.name, entry.scale),
                    "It is the state's typical size, of which the tolerance is a part.");
 }
@@ -93,14 +106,27 @@ void check_ledgers(const Support& support, DeclaredNames names) {
   if (!support.heat_port().empty()) names.add("ledger", "heat_into_port");
   for (std::size_t row = 1; row <= support.n_heated_rows(); ++row)
     for (const char* race : {"inner", "outer"}) names.add("ledger", fmt::format("row_{}_{}_heat", row, race));
-  for (const StateEntry& entry : support.ledger_entries()) check_dataset("ledger", with_underscores(entry.name), names);
+  for (const StateEntry& entry : support.ledger_entries())
+    if (check_dataset("ledger", with_underscores(entry.name), names))
+      names.add_words("ledger", entry.name, entry.unit, entry.long_name);
 }
+
+/// Of one series at one instant: more are a mistake, and fill the memory.
+constexpr std::size_t most_numbers = 1'000'000;
 
 /// Columns are what programs call numbers by.
 void check_columns(const Observable& o, DeclaredNames& names) {
   if (o.size == 0 || (!o.columns.empty() && o.columns.size() != o.size)) {
     names.refuse(fmt::format("series \"{}\" has {} numbers and {} names of columns.", o.name, o.size, o.columns.size()),
                  "Give it one number at least, and a name for each, or none.");
+    return;
+  }
+  if (o.size > most_numbers) {
+    names.refuse(fmt::format("series \"{}\" has {} numbers, and at most {} are taken.", o.name, o.size, most_numbers));
+    return;
+  }
+  if (!std::all_of(o.columns.begin(), o.columns.end(), [](const std::string& column) { return is_utf8(column); })) {
+    names.refuse(fmt::format("the name of a column of series \"{}\" is no UTF-8.", o.name));
     return;
   }
   std::vector<std::string> columns = o.columns;
@@ -111,7 +137,8 @@ void check_columns(const Observable& o, DeclaredNames& names) {
 
 void check_series(const std::vector<Observable>& list, DeclaredNames& names) {
   for (const Observable& o : list)
-    if (check_dataset("series", o.name, names)) check_columns(o, names);
+    if (check_dataset("series", o.name, names) && names.add_words("series", o.name, o.unit, o.long_name))
+      check_columns(o, names);
 }
 
 /// What is known by its balls' force is followed like a touchdown bearing, and asked for all of this.
@@ -167,6 +194,11 @@ void check_declared(const Support* support, const std::string& name, const Sourc
   const auto step = support->observables();
   check_series(step, names);
   check_series(support->detailed_observables(), names);
+  if (support->name() != name || support->results_path() != "/bearings/" + name) {
+    names.refuse("its name() or results_path() is not that of its table.",
+                 "name() returns what its kind's maker is given; results_path() stays as it is inherited.");
+    return;
+  }
   check_kinds(step, names);
 }
 

@@ -78,6 +78,37 @@ TEST(DeclaredParts, WhatHasBallForcesGivesAllThatATouchdownBearingGives) {
   EXPECT_NE(fault_of(part).find("orbit[2], penetration, clearance, contact_force"), std::string::npos);
 }
 
+TEST(DeclaredParts, NumbersOfASeriesFitIntoMemory) {
+  Declaring part;
+  part.series = {{"a", "m", "", std::size_t{1} << 60}};
+  EXPECT_NE(fault_of(part).find("series \"a\" has 1152921504606846976 numbers, and at most"), std::string::npos);
+}
+
+TEST(DeclaredParts, TheNameIsThatOfTheTable) {
+  Declaring part;
+  part.called = "Y";
+  EXPECT_NE(fault_of(part).find("its name() or results_path() is not that of its table"), std::string::npos);
+}
+
+TEST(DeclaredParts, TextsAreInUtf8) {
+  Declaring name, words, column, unit;
+  name.states = {{"s\xff", "m", 1.}};
+  words.series = {{"a", "m", "\xff"}};
+  column.series = {{"a", "m", "", 2, {"y", "\xff"}}};
+  unit.ledgers = {{"l", "\xff", 1., ""}};
+  for (const Declaring* part : {&name, &words, &column}) EXPECT_NE(fault_of(*part).find("UTF-8"), std::string::npos);
+  EXPECT_NE(fault_of(unit), "");
+}
+
+TEST(DeclaredParts, UnitsAreKnown) {
+  Declaring state, series, ledger;
+  state.states = {{"s", "furlongx", 1.}};
+  series.series = {{"a", "no_unit_at_all", ""}};
+  ledger.ledgers = {{"l", "kg kg kgg", 1., ""}};
+  for (const Declaring* part : {&state, &series, &ledger})
+    EXPECT_NE(fault_of(*part).find("is not known"), std::string::npos) << fault_of(*part);
+}
+
 TEST(DeclaredParts, AKindThatMakesNothingIsTold) {
   Faults faults;
   check_declared(static_cast<const Support*>(nullptr), "X", {}, faults);
