@@ -4,6 +4,9 @@
 #include <mutex>
 #include <stdexcept>
 
+#include "base/parameters/declared_keys.h"
+#include "base/utf8.h"
+
 namespace rotordrop {
 namespace {
 
@@ -19,6 +22,25 @@ Registry& registry() {
   return kinds;
 }
 
+bool is_known(const std::string& type) {
+  const auto& kinds = registry().kinds;
+  return type == "touchdown" || type == "linear" || type == "magnet" ||
+         std::any_of(kinds.begin(), kinds.end(), [&](const SupportKind& other) { return other.type == type; });
+}
+
+/// With the registry's lock.
+void require_sound(const SupportKind& kind) {
+  if (!is_plain_name(kind.type))
+    throw std::invalid_argument("a kind of support cannot be called \"" + (is_utf8(kind.type) ? kind.type : "...") +
+                                "\": use letters, digits, _ and -");
+  if (is_known(kind.type)) throw std::invalid_argument("there is a kind of support \"" + kind.type + "\" already");
+  if (!kind.section || !kind.read)
+    throw std::invalid_argument("the kind of support \"" + kind.type +
+                                "\" has no keys, or nothing reads them: make it by support_kind_of()");
+  if (const std::string fault = fault_of_keys(*kind.section, {"type"}); !fault.empty())
+    throw std::invalid_argument("kind of support \"" + kind.type + "\": " + fault);
+}
+
 }  // namespace
 
 std::vector<SupportKind> support_kinds() {
@@ -26,14 +48,15 @@ std::vector<SupportKind> support_kinds() {
   return registry().kinds;
 }
 
+void check_support_kind(const SupportKind& kind) {
+  const std::lock_guard guard(registry().lock);
+  require_sound(kind);
+}
+
 void add_support_kind(SupportKind kind) {
   const std::lock_guard guard(registry().lock);
-  auto& kinds = registry().kinds;
-  const bool is_known =
-      kind.type == "touchdown" || kind.type == "linear" || kind.type == "magnet" ||
-      std::any_of(kinds.begin(), kinds.end(), [&](const SupportKind& other) { return other.type == kind.type; });
-  if (is_known) throw std::invalid_argument("there is a kind of support \"" + kind.type + "\" already");
-  kinds.push_back(std::move(kind));
+  require_sound(kind);
+  registry().kinds.push_back(std::move(kind));
 }
 
 }  // namespace rotordrop

@@ -31,7 +31,10 @@ struct SupportKind {
 /// Those added so far, in their order.
 std::vector<SupportKind> support_kinds();
 
-/// @throws std::invalid_argument if the type is known already
+/// @throws std::invalid_argument if add_support_kind() would
+void check_support_kind(const SupportKind& kind);
+
+/// @throws std::invalid_argument if the type is known already or cannot be one, if the kind has no keys or nothing reads them, or keys cannot be so
 void add_support_kind(SupportKind kind);
 
 /// A kind from its keys and what makes it.
@@ -46,7 +49,7 @@ SupportKind support_kind_of(const std::string& type, const Section<P>& section, 
 }
 
 /// Lets cases say `type = "..."` in a table of [bearings]. Call it before a case is read. Arguments as of support_kind_of().
-/// @throws std::invalid_argument if the type is known already
+/// @throws std::invalid_argument likewise
 template <class P, class Make>
 void add_support_kind(const std::string& type, const Section<P>& section, Make make) {
   add_support_kind(support_kind_of(type, section, std::move(make)));

@@ -1,11 +1,12 @@
 #include "thermal/thermal_kinds.h"
 
 #include <algorithm>
-#include <cctype>
 #include <deque>
 #include <mutex>
 #include <stdexcept>
 
+#include "base/parameters/declared_keys.h"
+#include "base/utf8.h"
 #include "thermal/circuit/lumped_kind.h"
 #include "thermal/section/fe_kind.h"
 #include "thermal/thermal_parameters.h"
@@ -20,11 +21,6 @@ struct Registry {
 Registry& registry() {
   static Registry kinds;
   return kinds;
-}
-
-bool is_name(const std::string& name) {
-  return !name.empty() &&
-         std::all_of(name.begin(), name.end(), [](unsigned char c) { return std::isalnum(c) || c == '_' || c == '-'; });
 }
 
 }  // namespace
@@ -48,9 +44,10 @@ std::vector<std::string> thermal_kind_names() {
   return names;
 }
 
-void add_thermal_kind(ThermalKind kind) {
-  if (!is_name(kind.name))
-    throw std::invalid_argument("a thermal model cannot be called \"" + kind.name + "\": use letters, digits, _ and -");
+void check_thermal_kind(const ThermalKind& kind) {
+  if (!is_plain_name(kind.name))
+    throw std::invalid_argument("a thermal model cannot be called \"" + (is_utf8(kind.name) ? kind.name : "...") +
+                                "\": use letters, digits, _ and -");
   const auto words = driver_words();
   // Its name is a word of thermal.driver, a table in [thermal], a group of the results and a key of each bearing's summary.
   if (std::find(words.begin(), words.end(), kind.name) != words.end() || thermal_section().erased()->find(kind.name) ||
@@ -58,7 +55,21 @@ void add_thermal_kind(ThermalKind kind) {
     throw std::invalid_argument("a thermal model cannot be called \"" + kind.name +
                                 "\": the name is taken, by a key of [thermal] or by what results hold; choose another "
                                 "of letters, digits, _ and -");
+  const std::string called = "thermal model \"" + kind.name + "\": ";
   if (!kind.make && !kind.read) throw std::invalid_argument("nothing makes the thermal model \"" + kind.name + "\"");
+  if (!kind.group.empty() && kind.group != "/" + kind.name + "/")
+    throw std::invalid_argument(called + "its group cannot be another than /" + kind.name + "/: leave it empty");
+  if (kind.is_unmarked || kind.meshes_sections)
+    throw std::invalid_argument(called + "is_unmarked and meshes_sections are of the program's own models");
+  for (const auto* text : {&kind.title, &kind.word, &kind.mark})
+    if (!is_utf8(*text)) throw std::invalid_argument(called + "its title, word or mark is no UTF-8");
+  if (!kind.section) return;
+  if (const std::string fault = fault_of_keys(*kind.section, {}); !fault.empty())
+    throw std::invalid_argument(called + fault);
+}
+
+void add_thermal_kind(ThermalKind kind) {
+  check_thermal_kind(kind);
   if (kind.title.empty()) kind.title = "thermal model \"" + kind.name + "\"";
   if (kind.word.empty()) kind.word = kind.title;
   if (kind.mark.empty()) kind.mark = kind.name;

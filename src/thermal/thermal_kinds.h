@@ -29,12 +29,13 @@ struct ThermalKind {
   std::string title = {};  ///< in sentences: "lumped thermal circuit"
   std::string word = {};   ///< where it is clear what is meant: "circuit"
   std::string mark = {};   ///< in legends and heads of tables: "FE"
-  std::string group = {};  ///< of its temperatures in results.h5, "/thermal/"; by default /NAME/
-  /// Keys and ledgers without its name: "heat_lost" instead of "NAME_heat_lost", rises directly among a bearing's results.
+  std::string group = {};  ///< of its temperatures in results.h5, "/thermal/"; /NAME/ for kinds of others
+  /// Keys and ledgers without its name: "heat_lost" instead of "NAME_heat_lost", rises directly among a bearing's results. The circuit's alone.
   bool is_unmarked = false;
-  bool is_circuit = false;          ///< has the nodes and resistors that thermal.node and thermal.resistor add
-  bool meshes_sections = false;     ///< needs the finite-element room, follows [thermal.fe], may run in windows
-  bool has_ring_states = false;     ///< its ThermalModel::ring_states() are not empty
+  bool is_circuit = false;  ///< has the nodes and resistors that thermal.node and thermal.resistor add
+  bool meshes_sections =
+      false;  ///< needs the finite-element room, follows [thermal.fe], may run in windows; not of others
+  bool has_ring_states = false;     ///< its ThermalModel::ring_states() are not empty, which is checked
   MakeThermalModel make = {};       ///< of a kind without keys of its own
   ErasedSection section = nullptr;  ///< keys of its own, in the table [thermal.NAME]
   /// Reads that table; of a kind with keys.
@@ -50,7 +51,11 @@ std::vector<const ThermalKind*> thermal_kinds();
 const ThermalKind* thermal_kind(const std::string& name);
 std::vector<std::string> thermal_kind_names();
 
-/// Lets cases name a thermal model. Call it before a case is read. @throws std::invalid_argument if the name is taken or cannot be one
+/// @throws std::invalid_argument if add_thermal_kind() would
+void check_thermal_kind(const ThermalKind& kind);
+
+/// Lets cases name a thermal model. Call it before a case is read.
+/// @throws std::invalid_argument if the name is taken or cannot be one, nothing makes it, it claims what is ours alone, or keys cannot be so
 void add_thermal_kind(ThermalKind kind);
 
 /// A kind with keys of its own in a table [thermal.NAME].

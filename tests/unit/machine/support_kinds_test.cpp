@@ -32,8 +32,7 @@ Bearings read(const Node& case_node, Faults& faults) {
 
 Node magnet_at_node(int node) {
   return Node::table(
-      {{"bearings",
-        Node::table({{"M", Node::table({{"type", "clamp"}, {"node", node}, {"stiffness", "2 kN/mm"}})}})}});
+      {{"bearings", Node::table({{"M", Node::table({{"type", "clamp"}, {"node", node}, {"stiffness", "2 kN/mm"}})}})}});
 }
 
 // One test: the registry is the program's.
@@ -69,6 +68,21 @@ TEST(SupportKinds, OfOtherProgramsAreReadLikeOurs) {
   const auto nothing = [](const std::string&, const MagnetParameters&) { return std::unique_ptr<Support>(); };
   for (const char* taken : {"clamp", "touchdown", "linear"})
     EXPECT_THROW(add_support_kind(taken, magnet_section(), nothing), std::invalid_argument) << taken;
+}
+
+TEST(SupportKinds, ThatNoCaseCouldUseAreRefused) {
+  const auto nothing = [](const std::string&, const MagnetParameters&) { return std::unique_ptr<Support>(); };
+  for (const char* type : {"", "two words", "a\xff", "a\"]"})
+    EXPECT_THROW(add_support_kind(type, magnet_section(), nothing), std::invalid_argument) << type;
+  SupportKind bare;
+  bare.type = "bare";
+  EXPECT_THROW(add_support_kind(bare), std::invalid_argument) << "it has no keys";
+  for (const char* key : {"type", "a.b", "", "k\xff"}) {
+    auto section = magnet_section();
+    section.quantity(key, &MagnetParameters::stiffness, {.unit = "N/m"});
+    EXPECT_THROW(add_support_kind("keyed", section, nothing), std::invalid_argument) << key;
+  }
+  for (const SupportKind& kind : support_kinds()) EXPECT_TRUE(kind.type == "clamp") << "nothing else came in";
 }
 
 }  // namespace

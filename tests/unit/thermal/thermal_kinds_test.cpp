@@ -93,6 +93,17 @@ TEST(ThermalKinds, RefuseNamesThatMeanSomethingElse) {
   EXPECT_THROW(add_thermal_kind(named("nothing-makes-it")), std::invalid_argument);
 }
 
+TEST(ThermalKinds, RefuseWhatIsOursAlone) {
+  ThermalKind group = kind_called("copper"), unmarked = group, meshes = group, title = group;
+  group.group = "/energy/";
+  unmarked.is_unmarked = true;
+  meshes.meshes_sections = true;
+  title.title = "\xff";
+  for (const ThermalKind& kind : {group, unmarked, meshes, title})
+    EXPECT_THROW(add_thermal_kind(kind), std::invalid_argument);
+  EXPECT_EQ(thermal_kind("copper"), nullptr);
+}
+
 TEST(ThermalKinds, UnknownOnesAreExplained) {
   Faults faults;
   (void)read(models({"lumpd"}), faults);
