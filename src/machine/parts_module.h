@@ -44,8 +44,11 @@ class LinkedParts final : public PartsRegistry {
   void add(ThermalKind kind) override { add_thermal_kind(std::move(kind)); }
 };
 
-/// What program and module must have in common, as text: version, compiler, and the sizes of what parts hand to each other.
-inline const char* parts_interface() {
+namespace {
+
+/// What program and module must have in common, as text: version, compiler, and the sizes of what parts hand to each other. Each source makes its own:
+/// an inline function's static variable would be one for all modules of a process, and say what the first of them was built for.
+[[maybe_unused]] const char* parts_interface() {
   static const std::string text = [] {
     std::string all =
         std::string("rotordrop ") + version() + ", C++ ABI " + std::to_string(__GXX_ABI_VERSION) + ", sizes";
@@ -58,6 +61,8 @@ inline const char* parts_interface() {
   }();
   return text.c_str();
 }
+
+}  // namespace
 
 // Entry points of a module, and their names.
 using PartsInterface = const char*();

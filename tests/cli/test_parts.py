@@ -4,9 +4,11 @@ import os
 import shutil
 import subprocess
 import sys
+import tempfile
 import unittest
 
 sys.path.insert(0, __file__.rpartition("/")[0])
+from compiled_module import CAN_COMPILE, OTHER_HEADERS, compile_module  # noqa: E402
 from program import ProgramTest, call  # noqa: E402
 
 
@@ -63,6 +65,33 @@ class Modules(ProgramTest):
         done = call("check", self.folder / "reference.toml", "--set", 'run.parts="snubber.so"')
         self.assertEqual(done.returncode, 2)
         self.assertIn("run.parts must be a list of files", done.stderr)
+
+
+@unittest.skipUnless(CAN_COMPILE, "no compiler, or no libraries beside the program")
+class OwnModules(ProgramTest):
+    """A module with a soft ring around the shaft (own_module.cpp), compiled in some ways."""
+
+    @classmethod
+    def setUpClass(cls):
+        super().setUpClass()
+        cls.modules = tempfile.TemporaryDirectory(prefix="rotordrop-test-")
+        cls.addClassCleanup(cls.modules.cleanup)
+        compile_module(f"{cls.modules.name}/ring.so")
+        compile_module(f"{cls.modules.name}/old.so", OTHER_HEADERS, '-DTYPE="old-ring"')
+
+    def case(self, *names, more=""):
+        for name in names:
+            shutil.copy(f"{self.modules.name}/{name}.so", self.folder)
+        listed = ", ".join(f'"{name}.so"' for name in names)
+        return self.write("case.toml", f'base = "reference.toml"\n[run]\nparts = [{listed}]\nend_time = "12 ms"\n{more}')
+
+    def test_a_module_for_other_headers_is_refused_behind_any_other(self):
+        for names in (("old",), ("ring", "old"), ("old", "ring")):
+            with self.subTest(names):
+                done = self.call("check", self.case(*names))
+                self.assertEqual(done.returncode, 2, done.stdout)
+                self.assertIn("old.so was built for another version of the program", done.stderr)
+        self.succeed("check", self.case("ring"))
 
 
 if __name__ == "__main__":
