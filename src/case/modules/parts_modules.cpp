@@ -14,6 +14,7 @@
 #include "case/modules/load_module.h"
 #include "case/program_files.h"
 #include "machine/others/guarded_parts.h"
+#include "base/utf8.h"
 #include "machine/parts_module.h"
 
 namespace rotordrop {
@@ -33,12 +34,23 @@ class Collected final : public PartsRegistry {
   void hand_over() {
     for (auto& kind : supports_) add_support_kind(std::move(kind));
     for (auto& kind : thermal_) add_thermal_kind(std::move(kind));
+  /// All or none: a case that names the module again finds it as it was.
   }
+    for (const auto& kind : supports_) check_support_kind(kind);
+    for (const auto& kind : thermal_) check_thermal_kind(kind);
+    require_different(supports_, &SupportKind::type);
+    require_different(thermal_, &ThermalKind::name);
 
  private:
   std::string file_;
   std::vector<SupportKind> supports_;
   std::vector<ThermalKind> thermal_;
+  template <class Kind>
+  static void require_different(const std::vector<Kind>& kinds, std::string Kind::*name) {
+    std::set<std::string> known;
+    for (const auto& kind : kinds)
+      if (!known.insert(kind.*name).second) throw std::invalid_argument("it adds \"" + kind.*name + "\" twice");
+  }
 };
 
 /// Throws unless the module was built for this program; adds its parts.
@@ -58,7 +70,10 @@ void add_parts_of(void* module, const std::string& file, const SourcePosition& w
     if (parts.is_empty()) throw std::invalid_argument("it adds no part");
     parts.hand_over();
   } catch (const std::exception& error) {
-    throw InputError(where, fmt::format("{} cannot add its parts: {}.", file, error.what()), how_to_build);
+    throw InputError(where,
+                     fmt::format("{} cannot add its parts: {}.", file,
+                                 is_utf8(error.what()) ? error.what() : "its message is no UTF-8"),
+                     how_to_build);
   } catch (...) {
     throw InputError(where, fmt::format("{} cannot add its parts: it threw what is no std::exception.", file),
                      how_to_build);
