@@ -1,8 +1,11 @@
 #include "case/modules/parts_modules.h"
 
 #include <fmt/format.h>
+#include <sys/stat.h>
 
+#include <cstdint>
 #include <cstdlib>
+#include <map>
 #include <mutex>
 #include <optional>
 #include <set>
@@ -11,10 +14,11 @@
 #include <vector>
 
 #include "base/errors.h"
+#include "base/utf8.h"
+#include "case/modules/cut_off.h"
 #include "case/modules/load_module.h"
 #include "case/program_files.h"
 #include "machine/others/guarded_parts.h"
-#include "base/utf8.h"
 #include "machine/parts_module.h"
 
 namespace rotordrop {
@@ -31,26 +35,26 @@ class Collected final : public PartsRegistry {
   void add(SupportKind kind) override { supports_.push_back(guarded(std::move(kind), file_)); }
   void add(ThermalKind kind) override { thermal_.push_back(guarded(std::move(kind), file_)); }
   [[nodiscard]] bool is_empty() const { return supports_.empty() && thermal_.empty(); }
-  void hand_over() {
-    for (auto& kind : supports_) add_support_kind(std::move(kind));
-    for (auto& kind : thermal_) add_thermal_kind(std::move(kind));
   /// All or none: a case that names the module again finds it as it was.
-  }
+  void hand_over() {
     for (const auto& kind : supports_) check_support_kind(kind);
     for (const auto& kind : thermal_) check_thermal_kind(kind);
     require_different(supports_, &SupportKind::type);
     require_different(thermal_, &ThermalKind::name);
+    for (auto& kind : supports_) add_support_kind(std::move(kind));
+    for (auto& kind : thermal_) add_thermal_kind(std::move(kind));
+  }
 
  private:
-  std::string file_;
-  std::vector<SupportKind> supports_;
-  std::vector<ThermalKind> thermal_;
   template <class Kind>
   static void require_different(const std::vector<Kind>& kinds, std::string Kind::*name) {
     std::set<std::string> known;
     for (const auto& kind : kinds)
       if (!known.insert(kind.*name).second) throw std::invalid_argument("it adds \"" + kind.*name + "\" twice");
   }
+  std::string file_;
+  std::vector<SupportKind> supports_;
+  std::vector<ThermalKind> thermal_;
 };
 
 /// Throws unless the module was built for this program; adds its parts.
@@ -90,22 +94,45 @@ std::optional<fs::path> found(const fs::path& name, const fs::path& folder) {
   return {};
 }
 
+/// What tells whether a file is still the one that it was.
+struct FileIdentity {
+  dev_t device = 0;
+  ino_t number = 0;
+  off_t size = 0;
+  std::int64_t seconds = 0, nanoseconds = 0;  // of its last change
+  bool operator==(const FileIdentity&) const = default;
+};
+
+FileIdentity identity_of(const fs::path& file) {
+  struct stat found {};
+  if (stat(file.c_str(), &found) != 0) return {};
+  return {found.st_dev, found.st_ino, found.st_size, found.st_mtim.tv_sec, found.st_mtim.tv_nsec};
+}
+
 }  // namespace
 
 void load_parts_module(const fs::path& file, const SourcePosition& where) {
   static std::mutex lock;
-  static std::set<std::string> loaded;
+  static std::map<std::string, FileIdentity> loaded;
   const std::lock_guard guard(lock);
   std::error_code error;
   const fs::path real = fs::canonical(file, error);
   if (error) throw InputError(where, fmt::format("there is no module {}: {}.", file.string(), error.message()));
-  if (loaded.count(real.string()) != 0) return;
+  if (const auto known = loaded.find(real.string()); known != loaded.end()) {
+    if (known->second == identity_of(real)) return;
+    throw InputError(where, fmt::format("the module {} has changed since this process loaded it.", file.string()),
+                     "A process keeps what it loaded: start it (Python, a notebook's kernel) again.");
+  }
+  if (is_cut_off(real))
+    throw InputError(where, fmt::format("the module {} is not whole: it ends before its tables do.", file.string()),
+                     "Copy or build it again.");
+  const FileIdentity identity = identity_of(real);
   std::string why;
   void* const module = load_module(real, Symbols::at_once, why);
   if (!module)
     throw InputError(where, fmt::format("the module {} cannot be loaded: {}.", file.string(), why), how_to_build);
   add_parts_of(module, file.string(), where);
-  loaded.insert(real.string());
+  loaded.emplace(real.string(), identity);
 }
 
 void load_parts_of_environment() {

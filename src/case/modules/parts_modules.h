@@ -6,7 +6,8 @@
 // Supports and thermal models of others, in shared objects (machine/parts_module.h). What is loaded stays loaded, for this and all later cases.
 namespace rotordrop {
 
-/// Loads a module, once. @throws InputError at `where` if the file is missing, is no module, belongs to another version, or its parts' names are taken
+/// Loads a module, once. @throws InputError at `where` if the file is missing, is no module, belongs to another version, its parts' names are taken, or it
+/// changed since it was loaded
 void load_parts_module(const std::filesystem::path& file, const SourcePosition& where);
 
 /// Loads what the environment variable ROTORDROP_PARTS names, files with : between them. @throws InputError likewise
