@@ -19,6 +19,10 @@ inline constexpr std::array warning_kinds{
                 "rows in which the mechanical energy not accounted for is more than 0.1 % of the energy moved", true},
     WarningKind{"heat-residual", "1", "rows in which a thermal model's heat not accounted for is more than 0.1 %",
                 true},
+    WarningKind{"heat-port", "1",
+                "rows in which the heat that a support put into a thermal model is below 0 or above what the support "
+                "dissipated, by more than 0.1 %",
+                true},
     WarningKind{
         "step-collapse", "s",
         "times that the step becomes shorter than a thousandth of the longest one that is allowed, the first 20 "

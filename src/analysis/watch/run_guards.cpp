@@ -68,6 +68,7 @@ RunGuards::RunGuards(const Machine& machine, const MachineParameters& p, const I
   const std::size_t n_step = observed_size(machine.step_observables());
   look_at_temperatures(machine.state_observables(), n_step, rows_);
   look_at_balances(machine, n_step);
+  look_at_heat_ports(machine, n_step);
 }
 
 std::size_t RunGuards::add(const char* code, const std::string& place, const std::string& part, double limit,
@@ -148,6 +149,18 @@ void RunGuards::look_at_balances(const Machine& machine, std::size_t first) {
   least_energy_ = std::max(1e-3, weight * parameters_.contact.air_gap);
 }
 
+void RunGuards::look_at_heat_ports(const Machine& machine, std::size_t first) {
+  for (std::size_t i = 0; i < machine.n_supports(); ++i) {
+    const std::string& name = machine.support(i).name();
+    const auto column = [&](const char* ledger) {
+      return column_of(machine.state_observables(), "/ledger/" + name + "/" + ledger);
+    };
+    const auto heat = column("heat_into_port"), dissipated = column("other_dissipation");
+    if (heat && dissipated)
+      rows_.ports.push_back({add("heat-port", name, "", residual_limit), first + *heat, first + *dissipated});
+  }
+}
+
 RowSink& RunGuards::windows(const std::vector<Observable>& observables) {
   Rows& rows = windows_.emplace_back(*this);
   look_at_temperatures(observables, 0, rows);
@@ -188,6 +201,12 @@ void RunGuards::Rows::row(double time, std::span<const double> values) {
     for (const std::size_t column : balance.moved) moved += std::fabs(values[column]);
     const double part = std::fabs(values[balance.residual]) / std::max(moved, guards_.least_energy_);
     guards_.follow(balance.guard, time, std::isnan(part) ? std::numeric_limits<double>::infinity() : part);
+  }
+  for (const Port& port : ports) {
+    const double heat = values[port.heat], dissipated = values[port.dissipated];
+    const double beyond = std::max(heat - dissipated, -heat);
+    const double moved = std::max({std::fabs(heat), std::fabs(dissipated), guards_.least_energy_});
+    guards_.follow(port.guard, time, beyond / moved);
   }
 }
 

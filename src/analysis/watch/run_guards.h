@@ -59,6 +59,11 @@ class RunGuards final : public Observer {
       std::vector<std::size_t> moved;
     };
     std::vector<Balance> balances;
+    /// Heat of a support into a thermal model, part of what it dissipated; both since the start.
+    struct Port {
+      std::size_t guard = 0, heat = 0, dissipated = 0;
+    };
+    std::vector<Port> ports;
 
    private:
     RunGuards& guards_;
@@ -69,6 +74,7 @@ class RunGuards final : public Observer {
   void look_at_supports_and_probes(const Machine& machine, const MachineParameters& parameters);
   void look_at_temperatures(const std::vector<Observable>& observables, std::size_t first, Rows& rows);
   void look_at_balances(const Machine& machine, std::size_t first);
+  void look_at_heat_ports(const Machine& machine, std::size_t first);
   void follow(std::size_t guard, double time, double value);
   void follow(std::span<const Look> looks, double time, std::span<const double> values);
 

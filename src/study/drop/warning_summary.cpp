@@ -37,6 +37,11 @@ std::string sentence(const RunWarning& w) {
         "the heat balance of the thermal model \"{}\" leaves up to {:.2g} % of the heat{} (limit {:.2g} %). Smaller "
         "integration.step or integration.tolerance leave less",
         w.part, 100. * w.worst, when(w), 100. * w.limit);
+  if (code == "heat-port")
+    return fmt::format(
+        "the heat that the support puts into a thermal model is below 0 or more than it dissipates, by up to {:.2g} % "
+        "of the larger of the two{} (limit {:.2g} %): heat_into_port must be a part of other_dissipation",
+        100. * w.worst, when(w), 100. * w.limit);
   if (code == "step-collapse")
     return fmt::format(
         "the time step becomes shorter than {:.3g} ns {}, down to {:.3g} ns{}: something changes fast for the "
