@@ -4,10 +4,12 @@
 #include <deque>
 #include <stdexcept>
 
+#include "bearing/touchdown_bearing.h"
+
 namespace rotordrop {
 namespace {
 
-/// Finds each touchdown bearing's impulse in a state.
+/// Finds each touchdown bearing's impulse in a state; 0 of a support of others that is followed like one, and keeps none.
 class Impulses {
  public:
   Impulses(const Machine& machine, const DropScalars& bearings) : machine_(machine) {
@@ -16,7 +18,10 @@ class Impulses {
   [[nodiscard]] std::size_t size() const { return supports_.size(); }
   [[nodiscard]] std::vector<double> of(std::span<const double> y) const {
     std::vector<double> impulses;
-    for (const std::size_t support : supports_) impulses.push_back(machine_.ledger(support, "contact impulse", y));
+    for (const std::size_t support : supports_) {
+      const bool has_one = dynamic_cast<const TouchdownBearing*>(&machine_.support(support)) != nullptr;
+      impulses.push_back(has_one ? machine_.ledger(support, "contact impulse", y) : 0.);
+    }
     return impulses;
   }
   [[nodiscard]] std::size_t n_state() const { return machine_.layout().size(); }

@@ -12,10 +12,10 @@
 #include "base/units.h"
 #include "base/utf8.h"
 #include "bearing/touchdown_bearing.h"
-
-namespace rotordrop {
 #include "machine/others/declared_heat.h"
 #include "thermal/circuit/thermal_network.h"
+
+namespace rotordrop {
 namespace {
 
 /// Names of one kind that a part brings along, each once.
@@ -160,25 +160,30 @@ void check_kinds(const std::vector<Observable>& list, DeclaredNames& names) {
     K kind;
     const char* name;
     std::size_t size;
+    bool has_columns = false;
   };
-  for (const auto& [kind, name, size] :
-       {Needed{K::orbit, "orbit", 2}, Needed{K::penetration, "penetration", 1}, Needed{K::clearance, "clearance", 1},
+  for (const auto& [kind, name, size, has_columns] :
+       {Needed{K::ball_force, "ball_force", n_rows, true}, Needed{K::orbit, "orbit", 2, true},
+        Needed{K::penetration, "penetration", 1}, Needed{K::clearance, "clearance", 1},
         Needed{K::contact_force, "contact_force", 1}, Needed{K::spin_lag, "spin_lag", 1},
-        Needed{K::contact_pressure, "contact_pressure", n_rows}, Needed{K::ring_speed, "ring_speed", 1},
+        Needed{K::contact_pressure, "contact_pressure", n_rows, true}, Needed{K::ring_speed, "ring_speed", 1},
         Needed{K::load_torque, "load_torque", 1}, Needed{K::spin_torque, "spin_torque", 1},
         Needed{K::rub_heat_rate, "rub_heat_rate", 1}, Needed{K::inner_heat_rate, "inner_heat_rate", 1},
-        Needed{K::outer_heat_rate, "outer_heat_rate", 1}, Needed{K::growth, "growth", growth_surfaces.size()},
+        Needed{K::outer_heat_rate, "outer_heat_rate", 1}, Needed{K::growth, "growth", growth_surfaces.size(), true},
         Needed{K::preload, "preload", 1}, Needed{K::centrifugal_force, "centrifugal_force", 1},
-        Needed{K::ellipse_truncation, "ellipse_truncation", n_rows}, Needed{K::skid_demand, "skid_demand", n_rows},
-        Needed{K::gyroscopic_demand, "gyroscopic_demand", n_rows}})
-    if (const auto found = find(kind); found == list.end() || found->size != size)
+        Needed{K::ellipse_truncation, "ellipse_truncation", n_rows, true},
+        Needed{K::skid_demand, "skid_demand", n_rows, true},
+        Needed{K::gyroscopic_demand, "gyroscopic_demand", n_rows, true}})
+    if (const auto found = find(kind);
+        found == list.end() || found->size != size || (has_columns && found->columns.empty()))
       missing += fmt::format("{}{}{}", missing.empty() ? "" : ", ", name, size == 1 ? "" : fmt::format("[{}]", size));
   if (!missing.empty())
-    names.refuse(fmt::format("series \"{}\" is of the kind Observed::ball_force, and series of these kinds are missing "
-                             "or of another size: {}.",
-                             ball_force->name, missing),
-                 "What has ball forces is followed like a touchdown bearing, and must give what that gives; or leave "
-                 "the kind out.");
+    names.refuse(
+        fmt::format("series \"{}\" is of the kind Observed::ball_force, and series of these kinds are missing, "
+                    "of another size, or without names of columns: {}.",
+                    ball_force->name, missing),
+        "What has ball forces is followed like a touchdown bearing, and must give what that gives; or leave "
+        "the kind out.");
 }
 
 }  // namespace
@@ -189,16 +194,16 @@ void check_declared(const Support* support, const std::string& name, const Sourc
     names.refuse("nothing was made by its kind.");
     return;
   }
-  check_states(support->state_entries(), names);
-  check_ledgers(*support, names);
-  const auto step = support->observables();
-  check_series(step, names);
-  check_series(support->detailed_observables(), names);
   if (support->name() != name || support->results_path() != "/bearings/" + name) {
     names.refuse("its name() or results_path() is not that of its table.",
                  "name() returns what its kind's maker is given; results_path() stays as it is inherited.");
     return;
   }
+  check_states(support->state_entries(), names);
+  check_ledgers(*support, names);
+  const auto step = support->observables();
+  check_series(step, names);
+  check_series(support->detailed_observables(), names);
   check_kinds(step, names);
 }
 
@@ -215,7 +220,7 @@ void check_declared(const ThermalModel* model, const ThermalKind& kind, std::siz
   if (is_ours) return;
   check_states(model->state_entries(), names);
   check_series(model->observables(), names);
+  check_heat(*model, n_places, refuse);
 }
 
 }  // namespace rotordrop
-  check_heat(*model, n_places, refuse);

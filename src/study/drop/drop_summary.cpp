@@ -68,8 +68,10 @@ BearingSummary followed(const Machine& machine, const DropScalars& scalars, std:
   b.friction_heat = ledger("rub heat");
   b.inner_heat = ledger("inner heat");
   b.outer_heat = ledger("outer heat");
-  b.mean_contact_force_end =
-      (ledger("contact impulse") - result.impulse_before_end[i]) / (result.end_time - result.averaging_start);
+  b.mean_contact_force_end = std::numeric_limits<double>::quiet_NaN();  // others keep no impulse
+  if (touchdown)
+    b.mean_contact_force_end =
+        (ledger("contact impulse") - result.impulse_before_end[i]) / (result.end_time - result.averaging_start);
   b.spin_up = spin_up_balance(machine, support, result.state, b.scalars.ring_speed_end);
   return b;
 }
@@ -116,9 +118,9 @@ DropSummary summarise(const Case& drop_case, const Machine& machine, const DropS
       if (const auto* touchdown = entry.touchdown(); touchdown && entry.name == b.name) {
         if (parts.local_rub) b.local = local_summary(recorded, b.name, *touchdown, b.scalars.first_contact_time);
         b.damage = damage_json(b, result.fatigue[i], *touchdown);
+        if (parts.whirl) b.whirl = whirl_summary(recorded, b.name);
       }
     if (b.is_free) b.shoulder = shoulder_report(p, b.name);
-    if (parts.whirl) b.whirl = whirl_summary(recorded, b.name);
     b.support = support_summary(scalars.supports(), machine, p, b.name, y);
     s.bearings.push_back(std::move(b));
   }

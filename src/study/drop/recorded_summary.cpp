@@ -113,7 +113,7 @@ BearingSummary bearing_of(const std::string& name, const Json& j) {
   }
   if (j.contains("shoulder")) b.shoulder = shoulder_of(j.at("shoulder"));
   if (j.contains("support") && j.at("support").is_object()) b.support = support_of(j.at("support"));
-  b.whirl = whirl_of(j.at("whirl"));
+  if (j.contains("whirl")) b.whirl = whirl_of(j["whirl"]);  // supports of others have none
   return b;
 }
 
