@@ -60,6 +60,7 @@ py::dict modes(const Case& c, const std::vector<double>& speeds, std::size_t n_m
   for (const auto& found : report.modes) at_speeds.append(dict_of(found, n_modes));
   py::dict all;
   all["supports"] = report.is_free_free ? "free-free" : "linear";
+  all["left_out"] = report.left_out;
   all["node_positions"] = array_of(report.node_positions);
   all["speeds"] = at_speeds;
   return all;

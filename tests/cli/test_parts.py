@@ -1,6 +1,8 @@
 """Modules with parts of others: what is said when one cannot be loaded. That they work is tested with examples/own-parts in test_install."""
 
+import json
 import os
+import re
 import shutil
 import subprocess
 import sys
@@ -9,7 +11,7 @@ import unittest
 
 sys.path.insert(0, __file__.rpartition("/")[0])
 from compiled_module import CAN_COMPILE, OTHER_HEADERS, compile_module  # noqa: E402
-from program import ProgramTest, call  # noqa: E402
+from program import HAS_MESH_ROOM, ProgramTest, call  # noqa: E402
 
 
 @unittest.skipUnless(shutil.which("cc"), "no compiler")
@@ -66,6 +68,15 @@ class Modules(ProgramTest):
         self.assertEqual(done.returncode, 2)
         self.assertIn("run.parts must be a list of files", done.stderr)
 
+    def test_a_module_that_is_not_whole_is_not_loaded(self):
+        name = self.module("cut", "char filling[100000] = {1};\n")
+        file = self.folder / name
+        whole = file.read_bytes()
+        for size in (len(whole) - 1, 50000, 200, 20):
+            with self.subTest(size):
+                file.write_bytes(whole[:size])
+                self.assertIn("is not whole", self.refused(name))
+
 
 @unittest.skipUnless(CAN_COMPILE, "no compiler, or no libraries beside the program")
 class OwnModules(ProgramTest):
@@ -85,6 +96,8 @@ class OwnModules(ProgramTest):
         listed = ", ".join(f'"{name}.so"' for name in names)
         return self.write("case.toml", f'base = "reference.toml"\n[run]\nparts = [{listed}]\nend_time = "12 ms"\n{more}')
 
+    RING = '[bearings.R]\ntype = "ring"\nnode = 16\nstiffness = 1e6\ngap = "100 um"\n'
+
     def test_a_module_for_other_headers_is_refused_behind_any_other(self):
         for names in (("old",), ("ring", "old"), ("old", "ring")):
             with self.subTest(names):
@@ -92,6 +105,40 @@ class OwnModules(ProgramTest):
                 self.assertEqual(done.returncode, 2, done.stdout)
                 self.assertIn("old.so was built for another version of the program", done.stderr)
         self.succeed("check", self.case("ring"))
+
+    def test_a_support_that_reports_ball_forces_has_a_summary(self):
+        """By hand: the rotor falls through the gap of 100 um in sqrt(2 gap / g) = 4.515 ms. The ring takes its force without friction, keeps no impulse, and has no whirl."""
+        self.succeed("run", self.case("ring", more=self.RING), "-o", "out")
+        ring = self.summary()["bearings"]["R"]
+        self.assertAlmostEqual(ring["first_contact_time"], 4.515e-3, delta=5e-5)
+        self.assertGreater(ring["peak_contact_force"], 0)
+        self.assertEqual(ring["friction_heat"], 0)
+        self.assertIsNone(ring["mean_contact_force_end"])
+        self.assertNotIn("whirl", ring)
+        self.assertIn("whirl", self.summary()["bearings"]["TB1"])
+        self.succeed("report", "out")
+
+    @unittest.skipUnless(HAS_MESH_ROOM, "built without finite elements")
+    def test_a_circuit_is_calibrated_beside_heat_of_an_own_support(self):
+        """What the case adds to the circuit is not fitted: the factors are those of the case without it."""
+        plate = '[[thermal.node]]\nname = "plate"\ncapacity = "100 J/K"\n'
+        factors = []
+        for name, more in (("with", self.RING + 'heats = "plate"\n' + plate), ("without", "")):
+            self.succeed("calibrate", self.case("ring", more=more), "--until", "10ms", "-o", f"{name}/fit.toml")
+            factors.append(re.findall(r"^\w+ = [\d.]+", (self.folder / name / "fit.toml").read_text(), re.MULTILINE))
+        self.assertEqual(len(factors[0]), 8)
+        self.assertEqual(*factors)
+
+    def test_own_supports_are_named_where_modes_leave_them_out(self):
+        case = self.case("ring", more=self.RING)
+        for command in ("modes", "critical-speeds"):
+            with self.subTest(command):
+                self.assertEqual(json.loads(self.succeed(command, case, "--json").stdout)["left_out"], ["R"])
+                self.assertIn("Left out: R.", self.succeed(command, case).stdout)
+                self.assertNotIn("left_out", json.loads(self.succeed(command, "reference.toml", "--json").stdout))
+        on_springs = json.loads(self.succeed("critical-speeds", case, "--json", "--stiffness", "1e7 N/m").stdout)
+        self.assertIn("R", on_springs["stations"])
+        self.assertNotIn("left_out", on_springs)
 
 
 if __name__ == "__main__":

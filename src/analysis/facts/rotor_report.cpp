@@ -1,5 +1,8 @@
 #include "analysis/facts/rotor_report.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <optional>
@@ -51,6 +54,21 @@ ModalAnalysisOptions damped_as(const RotorParameters& rotor) {
 
 }  // namespace
 
+std::vector<std::string> supports_without_stiffness(const MachineParameters& p) {
+  std::vector<std::string> names;
+  for (const auto& entry : p.bearings)
+    if (entry.other()) names.push_back(entry.name);
+  return names;
+}
+
+std::string left_out_text(const std::vector<std::string>& supports) {
+  if (supports.empty()) return "";
+  return fmt::format(
+      "Left out: {}. The stiffness of a kind of support that a module or program adds is not known here; put a linear "
+      "support in its place to include it.\n",
+      fmt::join(supports, ", "));
+}
+
 std::vector<WhirlModes> machine_modes(const MachineParameters& p, const std::vector<double>& spin_speeds,
                                       double largest_frequency) {
   const auto supports = linear_supports(p);
@@ -81,6 +99,9 @@ CriticalSpeedReport critical_speeds(const MachineParameters& p, const CriticalSp
     report.is_on_given_stiffness = true;
   }
   if (!supports.empty()) report.stations = stations;
+  for (const auto& name : supports_without_stiffness(p))
+    if (std::find(report.stations.begin(), report.stations.end(), name) == report.stations.end())
+      report.left_out.push_back(name);
   const ModalAnalysisOptions damped = damped_as(p.rotor);
   // A picture needs no modes far above it; the supports' nodes keep their flexibility.
   ModalAnalysisOptions few = damped;

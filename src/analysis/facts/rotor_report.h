@@ -25,6 +25,11 @@ struct RotorShapes {
 /// @param stations  nodes at which supports stand (from 1)
 RotorShapes rotor_shapes(const RotorParameters& rotor, const std::vector<int>& stations);
 
+/// Supports of kinds added by others: their stiffness is not known without a motion, so they take no part in modes and critical speeds.
+std::vector<std::string> supports_without_stiffness(const MachineParameters& parameters);
+/// A sentence and a line's end about supports that are left out; empty if there are none.
+std::string left_out_text(const std::vector<std::string>& supports);
+
 /// Natural modes at constant spin with the case's linear supports; free-free if it has none. Touchdown bearings do not hold the
 /// levitated rotor and take no part.
 /// @param spin_speeds [rad/s]
@@ -45,6 +50,7 @@ struct CriticalSpeedOptions {
 /// Critical speeds of the rotor on linear supports, and what surrounds them.
 struct CriticalSpeedReport {
   std::vector<std::string> stations;  ///< names of the supports that hold the rotor; empty: free-free
+  std::vector<std::string> left_out;  ///< supports of kinds added by others, unless --stiffness puts springs there
   bool is_on_given_stiffness = false;
   std::vector<CriticalSpeed> speeds;
   int n_overdamped = 0;  ///< motions without oscillation at the highest speed

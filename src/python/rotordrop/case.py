@@ -158,7 +158,7 @@ class Case:
         speeds   spin speeds: [rad/s], or texts such as "15200 rpm"; default: at rest and at the case's initial speed
 
         Dimensions `speed` [rad/s], `mode` (from 1), `node` (axial position [m]), `axis` ("y", "z"); `frequency` and `natural_frequency` [Hz],
-        `damping_ratio`, `whirl` ("forward", "backward", "planar", "mixed"; "" where there are fewer modes), `shape` (complex, the largest amplitude is 1).
+        `damping_ratio`, `whirl` ("forward", "backward", "planar", "mixed"; "" where there are fewer modes), `shape` (complex, the largest amplitude is 1). Supports of your own (`add_support`, modules) take no part; `attrs["left_out"]` names them.
         """
         given = each_si([0.0, self._case.initial_speed] if speeds is None else speeds, "rad/s", "speeds")
         if n_modes < 0:
@@ -177,7 +177,7 @@ class Case:
         stiffness       of isotropic springs at all stations instead of the case's linear supports [N/m]
         stiffness_map   stiffnesses of all stations for a critical-speed map [N/m]
 
-        "critical_speeds" is a list of {speed [rad/s], frequency [Hz], whirl, damping_ratio, separation}; "map" one of {stiffness, speeds}.
+        "critical_speeds" is a list of {speed [rad/s], frequency [Hz], whirl, damping_ratio, separation}; "map" one of {stiffness, speeds}. Supports of your own (`add_support`, modules) take no part; "left_out" names them, if there are such.
         """
         limit = 2 * abs(self._case.initial_speed) if up_to is None else positive_si(up_to, "rad/s", "up_to")
         if not limit > 0:

@@ -44,5 +44,5 @@ def dataset(case: _core.Case, speeds: list[float], n_modes: int) -> xarray.Datas
             "axis": ("axis", ["y", "z"]),
             "node": ("node", x, {"units": "m", "long_name": "axial position of the nodes"}),
         },
-        attrs={"supports": found["supports"]},
+        attrs={"supports": found["supports"], "left_out": found["left_out"]},
     )

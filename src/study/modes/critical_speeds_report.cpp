@@ -67,6 +67,7 @@ nlohmann::ordered_json critical_speeds_json(const Case& rotor_case, const Critic
                   : has_magnets                  ? "the case's linear supports and magnets"
                                                  : "the case's linear supports";
   j["stations"] = report.stations;
+  if (!report.left_out.empty()) j["left_out"] = report.left_out;
   if (options.stiffness) j["stiffness"] = *options.stiffness;
   j["up_to"] = options.up_to;
   j["operating_speed"] = operating;
@@ -116,6 +117,7 @@ std::string critical_speeds_text(const nlohmann::ordered_json& j) {
                         j["rigid_body_modes"].get<int>());
   if (j["supports"] == "free-free")
     text += "The case has no linear supports. --stiffness \"5e7 N/m\" puts springs at its bearings.\n";
+  if (j.contains("left_out")) text += left_out_text(j["left_out"].get<std::vector<std::string>>());
   return text;
 }
 

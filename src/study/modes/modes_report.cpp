@@ -44,6 +44,7 @@ ModesReport find_modes(const Case& rotor_case, const std::vector<double>& speeds
   report.modes = machine_modes(rotor_case.parameters, speeds);
   for (const auto& entry : rotor_case.parameters.bearings)
     if (entry.linear() || entry.magnet()) report.is_free_free = false;
+  report.left_out = supports_without_stiffness(rotor_case.parameters);
   report.node_positions = rotor_case.parameters.rotor.geometry.node_x;
   return report;
 }
@@ -51,6 +52,7 @@ ModesReport find_modes(const Case& rotor_case, const std::vector<double>& speeds
 nlohmann::ordered_json to_json(const ModesReport& report, std::size_t n_modes) {
   nlohmann::ordered_json j;
   j["supports"] = report.is_free_free ? "free-free" : "linear";
+  if (!report.left_out.empty()) j["left_out"] = report.left_out;
   j["speeds"] = nlohmann::ordered_json::array();
   for (std::size_t i = 0; i < report.speeds.size(); ++i) {
     nlohmann::ordered_json speed;
@@ -73,6 +75,7 @@ nlohmann::ordered_json to_json(const ModesReport& report, std::size_t n_modes) {
 std::string to_table(const ModesReport& report, std::size_t n_modes) {
   std::string text = report.is_free_free ? "Natural modes, free-free (the case has no linear supports)\n"
                                          : "Natural modes on the case's linear supports\n";
+  text += left_out_text(report.left_out);
   for (std::size_t i = 0; i < report.speeds.size(); ++i) {
     text += fmt::format("\n{:.6g} rpm", report.speeds[i] * to_rpm);
     if (report.modes[i].n_rigid_body_modes > 0)

@@ -14,11 +14,12 @@ struct ModesReport {
   std::vector<double> speeds;  ///< [rad/s]
   std::vector<WhirlModes> modes;
   bool is_free_free = true;
+  std::vector<std::string> left_out;   ///< supports of kinds added by others
   std::vector<double> node_positions;  ///< [m]
 };
 ModesReport find_modes(const Case& rotor_case, const std::vector<double>& speeds);
 
-/// speeds[].{speed, modes[].{frequency, natural_frequency, damping_ratio, whirl}}; rad/s and Hz.
+/// supports, left_out[] (if there are such), speeds[].{speed, modes[].{frequency, natural_frequency, damping_ratio, whirl}}; rad/s and Hz.
 nlohmann::ordered_json to_json(const ModesReport& report, std::size_t n_modes);
 /// A table of the first n_modes of each speed.
 std::string to_table(const ModesReport& report, std::size_t n_modes);
