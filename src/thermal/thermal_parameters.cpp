@@ -145,7 +145,7 @@ Section<ThermalParameters> thermal_section() {
   s.choice("driver", &P::driver, driver_words(),
            {.fallback = automatic_driver,
             .help = "Source of the thermal growth that is fed back: a thermal model, none, or the record of an earlier "
-                    "run. automatic: lumped if it runs, otherwise fe."});
+                    "run. automatic: lumped if it runs, otherwise fe, otherwise the first of your own."});
   s.text("recorded", &P::recorded,
          {.help =
               "results.h5 whose recorded growth is fed back with driver = \"recorded\"; a path relative to the case."});
