@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <deque>
+#include <optional>
 #include <stdexcept>
 
 #include "bearing/touchdown_bearing.h"
@@ -13,22 +14,24 @@ namespace {
 class Impulses {
  public:
   Impulses(const Machine& machine, const DropScalars& bearings) : machine_(machine) {
-    for (std::size_t i = 0; i < bearings.size(); ++i) supports_.push_back(bearings.support(i));
+    for (std::size_t i = 0; i < bearings.size(); ++i) {
+      const std::size_t support = bearings.support(i);
+      const bool has_one = dynamic_cast<const TouchdownBearing*>(&machine.support(support)) != nullptr;
+      supports_.push_back(has_one ? std::optional(support) : std::nullopt);
+    }
   }
   [[nodiscard]] std::size_t size() const { return supports_.size(); }
   [[nodiscard]] std::vector<double> of(std::span<const double> y) const {
     std::vector<double> impulses;
-    for (const std::size_t support : supports_) {
-      const bool has_one = dynamic_cast<const TouchdownBearing*>(&machine_.support(support)) != nullptr;
-      impulses.push_back(has_one ? machine_.ledger(support, "contact impulse", y) : 0.);
-    }
+    for (const auto& support : supports_)
+      impulses.push_back(support ? machine_.ledger(*support, "contact impulse", y) : 0.);
     return impulses;
   }
   [[nodiscard]] std::size_t n_state() const { return machine_.layout().size(); }
 
  private:
   const Machine& machine_;
-  std::vector<std::size_t> supports_;
+  std::vector<std::optional<std::size_t>> supports_;  // those that keep an impulse
 };
 
 class BeforeAKnownEnd final : public ContactImpulse {
