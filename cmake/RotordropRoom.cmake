@@ -11,7 +11,9 @@ function(rotordrop_room name)
   target_compile_features(rotordrop_${name} PUBLIC cxx_std_20)
   # Also for shared libraries, such as the Python module; calls stay as in a program.
   set_target_properties(rotordrop_${name} PROPERTIES POSITION_INDEPENDENT_CODE ON)
-  target_compile_options(rotordrop_${name} PRIVATE -fno-semantic-interposition)
+  # A module of parts (machine/parts_module.h) shares no inline variables of its own with other modules.
+  target_compile_options(rotordrop_${name} PRIVATE -fno-semantic-interposition
+                                           INTERFACE $<INSTALL_INTERFACE:$<$<COMPILE_LANG_AND_ID:CXX,GNU>:-fno-gnu-unique>>)
   if(NOT ROOM_SEPARATE)
     rotordrop_unity(rotordrop_${name})
   endif()

@@ -111,6 +111,14 @@ class OwnParts(Installed):
         cls.snubber = cls.run_.bearing("SNUBBER")
         cls.parameters = {"K": 1.1e9, "n": 10 / 9, "lambda": 0.08, "mu": 0.1, "m": 2.0, "k": 2e7, "c": 4e3, "gap": 300e-6, "r": 0.06}
 
+    @unittest.skipIf("clang++" in CACHE, "no variables are shared by this compiler")
+    def test_a_module_keeps_its_inline_variables_to_itself(self):
+        """GCC would make each of them one for all modules of a process that have one of its name."""
+        flags = [path.read_text() for path in (self.folder / "build").rglob("flags.make")]
+        self.assertGreater(len(flags), 0)
+        for one in flags:
+            self.assertIn("-fno-gnu-unique", one)
+
     def test_a_version_that_does_not_fit_is_refused(self):
         project = self.folder / "newer"
         project.mkdir()
