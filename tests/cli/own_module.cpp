@@ -70,7 +70,7 @@ class Ring final : public Support {
     }
     if (out.observed.empty()) return;
     for (double& value : out.observed) value = 0.;
-    const double reported[] = {in.journal.y, in.journal.z, std::fmax(depth, 0.), -depth, force};
+    const double reported[] = {in.journal.y, in.journal.z, depth, -depth, force};
     for (std::size_t i = 0; i < std::size(reported); ++i) out.observed[i] = reported[i];
   }
   [[nodiscard]] double energy(const SupportInput& in, std::span<const double>) const override {

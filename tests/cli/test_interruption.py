@@ -226,7 +226,7 @@ class Interruption(ProgramTest):
         before = content_of(self.folder / "out")
         done = self.call("run", "reference.toml", "-o", "out", *LONG, *own, "--resume")
         self.assertEqual(done.returncode, 2, done.stderr)
-        self.assertIn("A mesh or a recording that the case names", " ".join(done.stderr.split()))
+        self.assertIn("A mesh, a recording or a module of parts that the case names", " ".join(done.stderr.split()))
         self.assertEqual(content_of(self.folder / "out"), before)
         mine.write_bytes(good)
         self.succeed("run", "reference.toml", "-o", "out", *LONG, *own, "--resume")
