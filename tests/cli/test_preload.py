@@ -232,7 +232,8 @@ class Preload(ProgramTest):
     @unittest.skipUnless(HAS_ROOM, "built without finite elements")
     def test_modes_that_answer_heat_too_coarsely_are_refused_with_what_helps(self):
         beyond = [*NO_MAPS, "--set", "preload.model=fe", "--set", "thermal.fe.shaft=beyond", "--set", "preload.critical_values=false"]
-        done = self.call("preload", "neisi2019-preload.toml", "--bearing", "TB2", "-o", "out", *beyond)
+        # They leave 0.5 %, a tenth more or less by the arithmetic of the processor.
+        done = self.call("preload", "neisi2019-preload.toml", "--bearing", "TB2", "-o", "out", *beyond, "--set", "thermal.fe.response_tolerance=0.003")
         self.assertEqual(done.returncode, 2)
         self.assertIn("allow a larger error.", done.stderr)
         self.assertNotIn("windowed", done.stderr)  # the coupling of drops
