@@ -5,7 +5,6 @@
 #include <stdexcept>
 
 #include "base/parameters/declared_keys.h"
-#include "base/utf8.h"
 
 namespace rotordrop {
 namespace {
@@ -30,9 +29,8 @@ bool is_known(const std::string& type) {
 
 /// With the registry's lock.
 void require_sound(const SupportKind& kind) {
-  if (!is_plain_name(kind.type))
-    throw std::invalid_argument("a kind of support cannot be called \"" + (is_utf8(kind.type) ? kind.type : "...") +
-                                "\": use letters, digits, _ and -");
+  if (const auto fault = fault_of_name("a kind of support", kind.type); !fault.empty())
+    throw std::invalid_argument(fault);
   if (is_known(kind.type)) throw std::invalid_argument("there is a kind of support \"" + kind.type + "\" already");
   if (!kind.section || !kind.read)
     throw std::invalid_argument("the kind of support \"" + kind.type +

@@ -45,9 +45,8 @@ std::vector<std::string> thermal_kind_names() {
 }
 
 void check_thermal_kind(const ThermalKind& kind) {
-  if (!is_plain_name(kind.name))
-    throw std::invalid_argument("a thermal model cannot be called \"" + (is_utf8(kind.name) ? kind.name : "...") +
-                                "\": use letters, digits, _ and -");
+  if (const auto fault = fault_of_name("a thermal model", kind.name); !fault.empty())
+    throw std::invalid_argument(fault);
   const auto words = driver_words();
   // Its name is a word of thermal.driver, a table in [thermal], a group of the results and a key of each bearing's summary.
   if (std::find(words.begin(), words.end(), kind.name) != words.end() || thermal_section().erased()->find(kind.name) ||

@@ -4,6 +4,7 @@ import json
 import random
 import re
 import shlex
+import shutil
 import struct
 import subprocess
 import sys
@@ -430,9 +431,6 @@ kind = "list"
         with h5py.File(self.folder / "out/study.h5") as h5:
             worst = int(h5["/results/peak"][:].argmax())
         self.assertEqual(browser.run("return document.querySelector('#worst-points tbody td').textContent"), str(worst))
-        commands = browser.run("return arguments[0].map((folder) => { data.rerun = 'rotordrop study rerun ' + folder; return rerunCommand(7); })", ["out/a-1", "my study", "it's"])
-        self.assertEqual([shlex.split(command) for command in commands], [["rotordrop", "study", "rerun", folder, "--point", "7"] for folder in ("out/a-1", "my study", "it's")])
-        self.assertEqual(commands[0], "rotordrop study rerun out/a-1 --point 7")
         # Of limits to both sides the worst drop is the one farthest outside, here below them.
         worst = browser.run("""data.limits.push({ result: "both", min: 10, max: 20 });
             const result = { name: "both", values: [15, 22, 3, null, 19, 11] };
@@ -443,6 +441,16 @@ kind = "list"
         middles = browser.run("""const at = (values, middle) => scaleOf({ values }, 0, 1).at(middle);
             return [at([0.01, 1, 2, 3, 4, 5, 6.01], 3.01), at([1e3, 1e4, 1e5, 1e6, 1e7], 1e5)]""")
         numpy.testing.assert_allclose(middles, 0.5, atol=1e-9)
+        # Commands are ready for a shell, whatever the folder is called.
+        folders, commands = ["out/a-1", "my study", "it's"], []
+        for folder in folders:
+            shutil.copytree(self.folder / "out", self.folder / "copy")
+            (self.folder / "copy").rename(self.folder / folder)
+            self.succeed("study", "report", folder, "--force")
+            browser.open(self.folder / folder / "report.html")
+            commands.append(browser.run("return rerunCommand(7)"))
+        self.assertEqual([shlex.split(command) for command in commands], [["rotordrop", "study", "rerun", folder, "--point", "7"] for folder in folders])
+        self.assertEqual(commands[0], "rotordrop study rerun out/a-1 --point 7")
         # A drag over the upper half of the first axis leaves the drops in that half.
         selected = browser.run("""const axis = document.querySelector('.axis-hit'), box = axis.getBoundingClientRect(), x = box.left + box.width / 2;
             axis.setPointerCapture = () => {};

@@ -9,9 +9,7 @@ namespace rotordrop {
 namespace {
 
 std::string fault_of_key(const Declaration& d) {
-  if (!is_plain_name(d.key))
-    return "a key cannot be called \"" + (is_utf8(d.key) ? d.key : std::string("...")) +
-           "\": use letters, digits, _ and -";
+  if (auto fault = fault_of_name("a key", d.key); !fault.empty()) return fault;
   for (const auto* text : {&d.help, &d.source})
     if (!is_utf8(*text)) return "what is said of the key \"" + d.key + "\" is no UTF-8";
   for (const auto* unit : {&d.unit, &d.argument_unit})
@@ -22,9 +20,10 @@ std::string fault_of_key(const Declaration& d) {
 
 }  // namespace
 
-bool is_plain_name(std::string_view name) {
-  return !name.empty() &&
-         std::all_of(name.begin(), name.end(), [](unsigned char c) { return std::isalnum(c) || c == '_' || c == '-'; });
+std::string fault_of_name(const std::string& what, const std::string& name) {
+  const auto is_plain = [](unsigned char c) { return std::isalnum(c) || c == '_' || c == '-'; };
+  if (!name.empty() && std::all_of(name.begin(), name.end(), is_plain)) return "";
+  return what + " cannot be called \"" + (is_utf8(name) ? name : "...") + "\": use letters, digits, _ and -";
 }
 
 std::string fault_of_keys(const SectionDeclaration& section, const std::vector<std::string>& taken) {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "analysis/watch/contact_impulse.h"
 #include "base/rotation.h"
 #include "study/drop/damage_summary.h"
 #include "study/json_number.h"
@@ -43,8 +44,7 @@ class Rows {
 
 /// What the table calls a result. @param end  of the run [s]
 std::string name_in_run(const ShownResult& r, double end) {
-  constexpr double averaged = 0.05;  ///< [s], unless the run is shorter
-  const bool is_whole = r.pointer == std::string("/mean_contact_force_end") && end < averaged;
+  const bool is_whole = r.pointer == std::string("/mean_contact_force_end") && end < averaging_time;
   return is_whole ? "mean contact force in the bore, whole run" : r.name;
 }
 

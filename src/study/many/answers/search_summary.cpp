@@ -8,7 +8,6 @@
 #include <nlohmann/json.hpp>
 
 #include "study/json_number.h"
-#include "study/many/answers/limit_verdicts.h"
 #include "study/many/answers/result_check.h"
 #include "study/many/answers/statistics.h"
 #include "study/many/search/evaluation.h"
@@ -87,10 +86,10 @@ Json limits_of(const Study& study, const StepValues& values, const LimitVerdicts
 
 }  // namespace
 
-Json minimise_summary(const Study& study, const Design& design, const StudyTable& table) {
+Json minimise_summary(const Study& study, const Design& design, const StudyTable& table,
+                      const LimitVerdicts& verdicts) {
   const auto& minimise = *study.minimise;
   const StepValues values(study, design, table);
-  const LimitVerdicts verdicts(table);
   const auto drawn = study.drawn();
   Json units = Json::object();
   for (const auto i : study.searched) units[study.parameters[drawn[i]].name] = study.parameters[drawn[i]].unit();

@@ -1,12 +1,12 @@
 // Draws the page of a study from the JSON in #data: answers, response, parallel coordinates, indices, worst and failed points.
 
 const limitsOf = (result) => data.limits.filter((limit) => limit.result === result.name);
-function isBroken(result, value) {
-  return value !== null && limitsOf(result).some((limit) => (isNumber(limit.max) && value > limit.max) || (isNumber(limit.min) && value < limit.min));
-}
-// How far a value is beyond the limits of its result, negative within them; without limits the value itself.
+// How far a value is beyond each limit of its result, negative within it.
+const beyondLimits = (result, value) => limitsOf(result).flatMap((limit) => [...(isNumber(limit.max) ? [value - limit.max] : []), ...(isNumber(limit.min) ? [limit.min - value] : [])]);
+const isBroken = (result, value) => value !== null && beyondLimits(result, value).some((distance) => distance > 0);
+// How bad it is: by the limit that it is farthest beyond; without limits the value itself.
 function beyond(result, value) {
-  const distances = limitsOf(result).flatMap((limit) => [...(isNumber(limit.max) ? [value - limit.max] : []), ...(isNumber(limit.min) ? [limit.min - value] : [])]);
+  const distances = beyondLimits(result, value);
   return distances.length ? Math.max(...distances) : value;
 }
 function worstOf(result) {
@@ -19,12 +19,7 @@ function worstWords(result, n) {
   return hasMin && hasMax ? `${drops} farthest beyond the limits of ${result.name}, or nearest to them;` : `${drops} with the ${hasMin ? "smallest" : "largest"} ${result.name};`;
 }
 
-// "rotordrop study rerun 'my study'": as a shell reads it.
-function rerunCommand(point) {
-  const start = "rotordrop study rerun ", folder = data.rerun.slice(start.length);
-  return `${start}${/^[\w./+:@%,=-]+$/.test(folder) ? folder : `'${folder.replaceAll("'", "'\\''")}'`} --point ${point}`;
-}
-
+const rerunCommand = (point) => `${data.rerun} --point ${point}`;
 const describe = (k) => [`point ${data.points[k]}`, ...data.parameters.map((p) => `${p.name}: ${short(p.values[k])}${unitText(p.unit)}`)];
 
 const quantile = (sorted, p) => {

@@ -7,6 +7,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "io/text/parameter_keys.h"
 #include "study/json_number.h"
 #include "study/many/answers/fit_summary.h"
 #include "study/many/answers/result_check.h"
@@ -121,7 +122,7 @@ Json study_report_data(const std::filesystem::path& directory) {
     data["results"].push_back(
         {{"name", column->name}, {"unit", column->unit}, {"long_name", column->long_name}, {"values", values}});
   }
-  data["rerun"] = "rotordrop study rerun " + directory.string();
+  data["rerun"] = "rotordrop study rerun " + shell_quoted(directory.string());
   const Json header = Json::parse(content.header, nullptr, false);
   data["facts"] = {
       {"program", "rotordrop " + (header.is_discarded() ? std::string("?") : header.value("program", "?"))},

@@ -331,7 +331,7 @@ Json study_summary(const Study& study, const Design& design, const StudyTable& t
   j["limits"] = Json::array();
   for (const auto& limit : study.limits) j["limits"].push_back(limit_summary(study, design, table, verdicts, limit));
   if (study.fit) j["fit"] = fit_summary(study, design, table);
-  if (study.minimise) j["minimise"] = minimise_summary(study, design, table);
+  if (study.minimise) j["minimise"] = minimise_summary(study, design, table, verdicts);
   if (study.choice) j["choose"] = choice_summary(study, design, table);
   auto points = sample_points(study, design);
   if (points.empty()) points = all_points(table);
