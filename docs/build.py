@@ -279,6 +279,8 @@ def build(program, output):
     known = {page.source for page in pages}
     documents = [file.relative_to(ROOT).as_posix() for file in sorted((ROOT / "docs").rglob("*.md"))]
     faults += [f"{name} is in no group of PAGES" for name in documents if name not in known]
+    index = (ROOT / "docs/README.md").read_text(encoding="utf-8")
+    faults += [f"docs/README.md has no link to {name}" for name in documents if name != "docs/README.md" and f"]({name.removeprefix('docs/')})" not in index]
 
     if output.exists():
         shutil.rmtree(output)

@@ -130,6 +130,7 @@ class Site(unittest.TestCase):
             self.assertIn("nowhere.md: no such file", done.stderr)
             self.assertIn("model.md#no-such-heading: no such heading", done.stderr)
             self.assertIn("docs/unlisted.md is in no group", done.stderr)
+            self.assertIn("docs/README.md has no link to docs/unlisted.md", done.stderr)
 
     def test_a_folder_with_something_else_is_left_alone(self):
         with tempfile.TemporaryDirectory() as folder:
