@@ -24,6 +24,7 @@
 #include "io/text/parameter_writers.h"
 #include "study/compare/comparison.h"
 #include "study/compare/measured_report.h"
+#include "study/drop/warning_summary.h"
 #include "study/heat/bearing_heat_run.h"
 #include "study/heat/heat_run.h"
 #include "study/many/study_file.h"
@@ -135,7 +136,7 @@ int heat_command(const HeatCommand& command) {
     fmt::print("rotordrop {} ({})   heat conduction, case {}\n{}", version(), git_revision(),
                summary["case"].get<std::string>(),
                is_of_a_bearing ? bearing_heat_summary_text(summary) : heat_summary_text(summary));
-    fmt::print("results in {}\n", options.directory.string());
+    fmt::print("{}results in {}\n", warnings_text(summary["warnings"]), options.directory.string());
   }
   if (summary["completed"].get<bool>()) return 0;
   fmt::print(stderr, "interrupted; results so far are in {}\n", options.directory.string());

@@ -13,6 +13,7 @@
 #include "io/hdf5/hdf5_version.h"
 #include "io/hdf5/recorder.h"
 #include "io/results_folder.h"
+#include "study/heat/heat_balance.h"
 #include "study/heat/recorded_heat.h"
 
 namespace rotordrop {
@@ -167,6 +168,7 @@ class BearingHeatRun {
       j["ball_conduction"] = {{"inner_to_ball", G->inner_to_ball},
                               {"outer_to_ball", G->outer_to_ball},
                               {"inner_to_outer", G->inner_to_outer}};
+    j["warnings"] = Json::array();
     for (std::size_t m = 0; m < case_.models.size(); ++m) {
       const auto& [name, heated] = case_.models[m];
       Json& growth = j["growth"][name];
@@ -176,8 +178,9 @@ class BearingHeatRun {
         for (const auto& expansion : growth_[m]) values.push_back(expansion.*growth_surfaces[k]);
       }
       // One that was stopped within its steps stands elsewhere than the others.
-      const double input = input_until(heated->time()), stored = heated->stored(), lost = heated->lost();
-      j["energy"][name] = {{"input", input}, {"stored", stored}, {"lost", lost}, {"residual", input - stored - lost}};
+      const Json& balance = j["energy"][name] =
+          heat_balance(input_until(heated->time()), heated->stored(), heated->lost());
+      for (auto& warning : heat_balance_warnings(name, balance)) j["warnings"].push_back(std::move(warning));
       heated->report(j["models"][name]);
     }
     return j;
@@ -207,10 +210,7 @@ std::string bearing_heat_summary_text(const Json& j) {
     if (!probe["time"].empty())
       text += fmt::format("{}: {:.4f} K at {:.6g} s\n", name, probe["temperature"].back().get<double>(),
                           probe["time"].back().get<double>());
-  for (const auto& [name, e] : j["energy"].items())
-    text += fmt::format("Energy, {}: {:.6g} J in, {:.6g} J stored, {:.6g} J lost, residual {:.1e} J\n", name,
-                        e["input"].get<double>(), e["stored"].get<double>(), e["lost"].get<double>(),
-                        e["residual"].get<double>());
+  for (const auto& [name, balance] : j["energy"].items()) text += heat_balance_text(", " + name, balance);
   for (const auto& [name, growth] : j["growth"].items())
     if (!growth["time"].empty())
       text += fmt::format("Growth, {}: bore {:.4g} um, inner race {:.4g} um, outer race {:.4g} um\n", name,

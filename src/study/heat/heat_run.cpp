@@ -22,6 +22,7 @@
 #include "io/text/parameter_writers.h"
 #include "io/text/toml_reader.h"
 #include "machine/machine_parameters.h"
+#include "study/heat/heat_balance.h"
 #include "study/heat/heat_displacements.h"
 #include "study/heat/recorded_heat.h"
 
@@ -183,7 +184,8 @@ Json run_heat(const HeatCase& heat_case, const HeatRunOptions& options) {
     j["probes"][study.probes[i].name] = {{"time", times}, {"temperature", series[i]}};
   if (displacements) displacements->report(times, j);
   const HeatEnergy e = solver->energy();
-  j["energy"] = {{"input", e.input}, {"stored", e.stored}, {"lost", e.lost}, {"residual", e.residual()}};
+  j["energy"] = heat_balance(e.input, e.stored, e.lost);
+  j["warnings"] = heat_balance_warnings("", j["energy"]);
   const HeatStatistics s = solver->statistics();
   j["solver"] = s.solver == HeatLinearSolver::multigrid ? "multigrid" : "direct";
   j["ranks"] = ranks_of_mpirun();
@@ -232,10 +234,7 @@ std::string heat_summary_text(const Json& j) {
         text += fmt::format("{}: mean pressure {:.4g} MPa, {:.3g} % open at {:.6g} s\n", name,
                             fit["mean_pressure"].back().get<double>() * 1e-6,
                             fit["open_fraction"].back().get<double>() * 100., fit["time"].back().get<double>());
-  const auto& e = j["energy"];
-  text +=
-      fmt::format("Energy: {:.6g} J in, {:.6g} J stored, {:.6g} J lost, residual {:.1e} J\n", e["input"].get<double>(),
-                  e["stored"].get<double>(), e["lost"].get<double>(), e["residual"].get<double>());
+  text += heat_balance_text("", j["energy"]);
   text += fmt::format("{} unknowns, {} steps, {:.3g} s of CPU after {:.3g} s of set-up\n", j["unknowns"].get<long>(),
                       j["steps"].get<long>(), j["cpu_time"].get<double>(), j["setup_cpu_time"].get<double>());
   return text;

@@ -17,6 +17,16 @@ double mean_of(const std::vector<double>& values) {
   return std::accumulate(values.begin(), values.end(), 0.) / static_cast<double>(values.size());
 }
 
+bool varies(const std::vector<double>& values) {
+  double low = INFINITY, high = -INFINITY;
+  for (const double v : values)
+    if (std::isfinite(v)) {
+      low = std::min(low, v);
+      high = std::max(high, v);
+    }
+  return high - low > 1e-12 * std::max(std::abs(low), std::abs(high));
+}
+
 double deviation_of(const std::vector<double>& values) {
   if (values.size() < 2) return 0.;
   const double mean = mean_of(values);

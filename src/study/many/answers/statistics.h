@@ -11,6 +11,8 @@ struct Estimate {
 };
 
 double mean_of(const std::vector<double>& values);
+/// Whether values differ by more than roundoff. Those that are no numbers are passed over.
+bool varies(const std::vector<double>& values);
 /// Unbiased standard deviation; 0 of fewer than two values.
 double deviation_of(const std::vector<double>& values);
 /// Quantile of sorted values by linear interpolation (Hyndman & Fan's type 7).

@@ -224,7 +224,7 @@ function showSurrogates() {
     return element("figure", {}, element("svg", { viewBox: `0 0 ${width} ${height}`, role: "img", "aria-label": `predicted over computed ${name}` }, ...frame(width, height, x, y, label({ name, unit: r.unit }), "predicted", margin),
       element("line", { class: "middle", x1: x.at(low), x2: x.at(high), y1: y.at(low), y2: y.at(high) }), ...r.computed.map((v, i) => element("circle", { class: "point", cx: x.at(v).toFixed(1), cy: y.at(r.predicted[i]).toFixed(1), r: 2 }))));
   });
-  section("Surrogates", table(["result", "points", "variance explained", "rms error", "indices: first, total"], entries.map(([name, r]) => [label({ name, unit: r.unit }), r.points > r.n ? `${r.n} of ${r.points}` : String(r.n), r.reason || (isNumber(r.q2) ? (r.q2 > 0 ? `${short(100 * r.q2)} %` : "nothing") : "–"), short(r.rmse), Object.entries(r.indices || {}).map(([p, i]) => `${p} ${short(i.first)}, ${short(i.total)}`).join("; ")])),
+  section("Surrogates", table(["result", "points", "variance explained", "rms error", "indices: first, total"], entries.map(([name, r]) => [label({ name, unit: r.unit }), r.points > r.n ? `${r.n} of ${r.points}` : String(r.n), r.reason || (isNumber(r.q2) ? (r.q2 > 0 ? `${short(100 * r.q2)} %` : "nothing") : "–"), short(r.rmse), r.q2 > 0 ? Object.entries(r.indices || {}).map(([p, i]) => `${p} ${short(i.first)}, ${short(i.total)}`).join("; ") : "–"])),
     element("div", { class: "small" }, ...figures), element("p", { class: "note" }, `${s.kind}; every point is predicted by a surrogate made from the other parts of the points (${s.folds}, or fewer where there are less).`));
 }
 

@@ -199,17 +199,8 @@ std::vector<std::vector<double>> drawn_columns(const Study& study, const Design&
   return x;
 }
 
-bool varies(const std::vector<double>& y) {
-  double low = INFINITY, high = -INFINITY;
-  std::size_t n = 0;
-  for (const double v : y)
-    if (std::isfinite(v)) {
-      low = std::min(low, v);
-      high = std::max(high, v);
-      ++n;
-    }
-  // Less than this is roundoff.
-  return n >= 8 && high - low > 1e-12 * std::max(std::abs(low), std::abs(high));
+bool has_enough(const std::vector<double>& y) {
+  return std::ranges::count_if(y, [](double v) { return std::isfinite(v); }) >= 8;
 }
 
 void add_indices(Json& j, const Study& study, const Design& design, const StudyTable& table) {
@@ -231,7 +222,7 @@ void add_indices(Json& j, const Study& study, const Design& design, const StudyT
   to = Json::object();
   for (const auto& column : table.results) {
     const auto y = row_means(study, design, column);
-    if (!varies(y)) continue;
+    if (!has_enough(y) || !varies(y)) continue;
     Json of_result = Json::object();
     if (is_saltelli) {
       const auto sobol = sobol_indices(y, drawn.size(), seed);

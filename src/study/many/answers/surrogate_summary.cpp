@@ -10,6 +10,7 @@
 #include <set>
 
 #include "study/json_number.h"
+#include "study/many/answers/statistics.h"
 #include "study/many/answers/study_summary.h"
 #include "study/many/random_bits.h"
 #include "study/many/surrogate/surrogate.h"
@@ -40,11 +41,6 @@ std::unique_ptr<Surrogate> made(const SurrogateParameters& keys, std::size_t n_i
                                 std::string& error) {
   return std::unique_ptr<Surrogate>(surrogate_maker()(
       {keys.kind == SurrogateKind::kriging, static_cast<std::size_t>(keys.degree), n_inputs, rows.x, rows.y}, error));
-}
-
-bool varies(const std::vector<double>& y) {
-  const auto [least, largest] = std::minmax_element(y.begin(), y.end());
-  return *largest - *least > 1e-12 * std::max(std::fabs(*least), std::fabs(*largest));
 }
 
 /// Part of each row, of equal size, by chance. Rows of a block of Saltelli's design, which share coordinates, are of the same part: a point that
