@@ -15,8 +15,16 @@
 namespace rotordrop {
 namespace {
 
-RubShare rub_share(const ThermalParameters& t) {
-  return {t.share_to_ring, t.heat_share == HeatShare::jaeger, {t.rub_band_length, t.rub_contact_time, 1.}};
+RubShare rub_share(const MachineParameters& p, const TouchdownParameters& b) {
+  const auto effusivity = [&](const MaterialParameters& material) {
+    const ThermalMaterial m = thermal_material(material, p.run.ambient);
+    return std::sqrt(m.conductivity * m.density * m.heat_capacity);
+  };
+  const ThermalParameters& t = p.thermal;
+  return {
+      t.share_to_ring,
+      t.heat_share == HeatShare::jaeger,
+      {t.rub_band_length, t.rub_contact_time, effusivity(shaft_material(p, b)) / effusivity(material_of(p, b.ring))}};
 }
 
 bool driver_meshes_sections(const std::string& driver) {
@@ -111,6 +119,7 @@ Machine::Parts machine_parts(const MachineParameters& p, const Node& case_node, 
       bearing->initial_state(state);
       rings.push_back({p.rotor.geometry.position(b->node), std::move(state)});
       parts.supports.push_back(std::move(bearing));
+      parts.rub_share.push_back(rub_share(p, *b));
       parts.thermal_place.emplace_back(n_places++);
     } else {
       if (const auto* l = entry.linear())
@@ -132,7 +141,6 @@ Machine::Parts machine_parts(const MachineParameters& p, const Node& case_node, 
     parts.supports.push_back(std::move(probe.contact));
     parts.thermal_place.emplace_back(std::nullopt);
   }
-  parts.rub_share.assign(n_places, rub_share(p.thermal));
   add_thermal_models(p, case_node, finite_elements, std::move(recorded), parts);
 
   auto rotor = std::make_unique<ModalRotor>(p.rotor.geometry, rotor_settings(p.rotor, p.run.gravity), nodes);

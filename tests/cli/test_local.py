@@ -3,6 +3,9 @@ import math
 import sys
 import unittest
 
+import h5py
+import numpy
+
 sys.path.insert(0, __file__.rpartition("/")[0])
 from program import ProgramTest, settings  # noqa: E402
 
@@ -77,6 +80,20 @@ class LocalTemperature(ProgramTest):
         self.assertGreater(rise["poor"]["share_to_ring"], 0.99)
         self.assertLess(rise["ring"]["share_to_ring"], 0.6)
         self.assertGreater(rise["poor"]["bore_rise"], 1.5 * rise["ring"]["bore_rise"])
+
+    def test_jaegers_share_has_the_material_of_the_journal(self):
+        """share = 1 / (1 + e_rotor / e_ring sqrt(v_rotor / v_ring)): with half the effusivity, and the same motion, 1 / share - 1 is half at every instant."""
+        ratio = {}
+        for name, rho in (("steel", 7800), ("light", 1950)):
+            extra = f'[bearings.TB1]\njournal = "surface"\n[materials]\nsurface = {{ E = 2.0e11, nu = 0.3, alpha = 11.8e-6, k = 70, c = 510, rho = {rho} }}\n'
+            self.succeed("run", self.case(extra), "-o", name, *settings(run__end_time="12 ms", thermal__driver="none", thermal__heat_share="jaeger"))
+            with h5py.File(self.folder / name / "results.h5") as file:
+                ledger = file["ledger/TB1"]
+                heat, into_ring = numpy.diff(ledger["rub_heat"][:]), numpy.diff(ledger["rub_heat_into_ring"][:])
+            rubs = heat > 0.01 * heat.max()
+            ratio[name] = heat[rubs] / into_ring[rubs] - 1
+        self.assertGreater(len(ratio["steel"]), 20)
+        numpy.testing.assert_allclose(ratio["light"], 0.5 * ratio["steel"], rtol=0.01)  # rows are means over 50 us
 
     def test_wear_is_archards_for_all_sliding(self):
         keys = {"contact__wear_coefficient_bore": "2e-14 m2/N", "contact__wear_depth_limit": "10 um"}
