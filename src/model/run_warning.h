@@ -47,10 +47,9 @@ inline constexpr std::array warning_kinds{
     WarningKind{"no-contact", "s", "runs that end before the rotor touches a touchdown bearing", false},
     WarningKind{"window-error", "m", "windows that leave more than thermal.fe.window_tolerance", false},
     WarningKind{"response-error", "1", "reduced finite elements whose response to heat is off by more than 5 %", false},
-    WarningKind{"coarse-rows", "s",
-                "bearings whose first contact lasts less than ten rows, of which local temperatures, depths of wear "
-                "and whirl are "
-                "taken",
+    WarningKind{"coarse-rows", "1",
+                "bearings whose local temperatures and depths of wear change by more than 5 % where only every second "
+                "row is taken",
                 false},
     WarningKind{"local-temperature", "K",
                 "bores whose local temperature under the rub exceeds their material's temperature_limit", false},
@@ -79,6 +78,9 @@ inline constexpr double residual_limit = 1e-3;
 inline constexpr double penetration_limit = 0.5;
 /// Error of a reduced model's response to heat: what `compare` tolerates of a temperature.
 inline constexpr double response_error_limit = 0.05;
+
+/// Change of a local temperature or a depth of wear by leaving out every second row, about the error by rows as they are: that of the laws is larger.
+inline constexpr double change_by_rows_limit = 0.05;
 
 /// Something of one kind that a run met at one place.
 struct RunWarning {

@@ -59,6 +59,7 @@ constexpr std::array rules{
          "1 if the rotor touched the bearing, in the bore or on a shoulder, else 0: nothing is assessed"},
     Rule{"damage.pressure_is_void", "1",
          "whether contact ellipses reached over a raceway's edge, so that the static safety is lower"},
+    Rule{"damage.rubs_on_shoulder", "1", "whether the rotor rubbed on a shoulder, whose wear is not computed"},
     Rule{"damage.fatigue", "1", "contact fatigue, not assessed without the rating C"},
     Rule{"damage.wear_share", "1", "share of the allowed wear depth that one drop uses"},
     Rule{"damage.allowed_drops", "1", "allowed number of such drops"},

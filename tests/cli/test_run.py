@@ -126,6 +126,17 @@ class Results(ProgramTest):
         self.assertAlmostEqual(float(found[1]), 1.48, delta=0.1)
         self.assertGreater(self.summary("slippery")["bearings"]["TB1"]["skid"]["speed_change_beyond"], 0.5 * self.summary("slippery")["bearings"]["TB1"]["skid"]["speed_change"])
 
+    def test_a_ring_that_has_hardly_turned_does_not_skid(self):
+        """The first 0.2 ms of the contact turn TB1's ring by some rad/s, all of it beyond what such slippery balls follow; 1592 rad/s times 0.001 are 1.6 rad/s."""
+        slippery = self.case("bearings.TB1.race_friction_coefficient = 0.001\n", "barely.toml")
+        told = {}
+        for name, end in (("barely", "7.6 ms"), ("more", "8 ms")):
+            screen = self.succeed("run", slippery, "-o", name, "--set", f"run.end_time={end}").stdout
+            skid = self.summary(name)["bearings"]["TB1"]["skid"]
+            self.assertGreater(skid["speed_change_beyond"], 0.5 * skid["speed_change"])
+            told[name] = (skid["speed_change_beyond"] > 1.592, "TB1: balls" in screen)
+        self.assertEqual(told, {"barely": (False, False), "more": (True, True)})
+
     def test_ranges_in_the_summary_are_those_of_the_series(self):
         summary = self.run_case(self.case(""), output="ranges")
         with h5py.File(self.folder / "ranges/results.h5") as file:

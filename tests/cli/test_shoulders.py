@@ -51,7 +51,7 @@ class Shoulders(ProgramTest):
         self.assertIs(summary["bearings"]["TB1"]["damage"]["assessed"], False, "it has no shoulders")
         self.assertIsNone(summary["bearings"]["TB1"]["first_touch_time"])
         self.assertRegex(self.done.stdout, r"TB2: first contact in the bore never, on a shoulder 1\d(\.\d+)? ms, peak contact force in the bore 0.00 kN")
-        self.assertRegex(self.done.stdout, r"damage per drop: static safety below [\d.]+ \(ellipses over the edge\), fatigue [\d.e-]+ of L10, wear not assessed; allowed drops: not assessed")
+        self.assertRegex(self.done.stdout, r"damage per drop: static safety below [\d.]+ \(ellipses over the edge\), fatigue [\d.e-]+ of L10, wear of shoulders not assessed; allowed drops: not assessed")
 
         self.succeed("report", "out")
         checks = {check["name"]: check for check in page_data((self.folder / "out/report.html").read_text())["checks"]}

@@ -2,6 +2,7 @@
 // Quantities followed from step to step, of one drop (Real = double) or of eight in lanes. `told` says of which lanes a step is told; the others keep all
 // that they have.
 #include <array>
+#include <cmath>
 #include <limits>
 
 #include "base/real.h"
@@ -86,6 +87,12 @@ struct FollowedRangeOf {
 /// Balls that cannot follow changes of the ring's speed matter from this part of all its changes on; less happens in flight, when bare drag
 /// slows unloaded rings down.
 inline constexpr double relevant_speed_share = 0.05;
+/// And from this part of the rotor's speed on: a ring that has hardly turned leaves nothing to slip, 1 mm/s for each m/s of the rotor's surface (estimate).
+inline constexpr double least_speed_share = 1e-3;
+/// Whether balls that cannot follow matter. @param beyond, all  changes of the ring's speed meanwhile and in all; @param rotor_speed  at the start [rad/s]
+[[nodiscard]] inline bool is_skidding_relevant(double beyond, double all, double rotor_speed) {
+  return beyond > relevant_speed_share * all && beyond > least_speed_share * std::fabs(rotor_speed);
+}
 
 /// How long a demand is above 1, by straight lines between steps, and what a ring's speed does meanwhile.
 template <class Real>

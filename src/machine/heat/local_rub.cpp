@@ -85,6 +85,17 @@ std::vector<Interval> intervals_of(const RubRecord& r, std::size_t most_rows,
   return list;
 }
 
+RubRecord every_second_row(const RubRecord& r) {
+  RubRecord half;
+  for (const auto list :
+       {&RubRecord::times, &RubRecord::joules_into_ring, &RubRecord::joules_into_rotor, &RubRecord::contact_angle,
+        &RubRecord::ring_angle, &RubRecord::rotor_angle, &RubRecord::impulse, &RubRecord::slip_speed}) {
+    for (std::size_t i = 0; i < (r.*list).size(); i += 2) (half.*list).push_back((r.*list)[i]);
+    if ((r.*list).size() % 2 == 0 && !(r.*list).empty()) (half.*list).push_back((r.*list).back());
+  }
+  return half;
+}
+
 enum class Share { one_temperature, recorded, by_speeds };
 
 class Replay {
@@ -223,6 +234,23 @@ LocalRub local_rub(const RubRecord& r, const LocalRubSettings& s, std::size_t mo
   result.bore_rise_low = bounds.first;
   result.bore_rise_high = bounds.second;
   return result;
+}
+
+double change_without_every_second_row(const RubRecord& r, const LocalRubSettings& s, const LocalRub& of_all) {
+  const RubRecord half = every_second_row(r);
+  const auto list = intervals_of(half, half.times.size(), s.largest_friction);
+  const Replay replay(half, list, s);
+  double largest = 0.;
+  const auto compare = [&](double value, double with_all) {
+    if (with_all > 0.) largest = std::max(largest, std::fabs(value / with_all - 1.));
+  };
+  const Wear wear = replay.wear();
+  compare(wear.bore_depth, of_all.wear.bore_depth);
+  compare(wear.rotor_depth, of_all.wear.rotor_depth);
+  if (std::isfinite(of_all.stated.time) && rubs(list))
+    compare(replay.run(s.by_hertz, {s.is_one_temperature ? Share::one_temperature : Share::recorded})[0].bore,
+            of_all.stated.bore);
+  return largest;
 }
 
 }  // namespace rotordrop

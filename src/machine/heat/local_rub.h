@@ -48,4 +48,10 @@ struct LocalRub {
 /// @param most_rows  see bore_history(); of rows that are joined heat, impulse and wear are kept
 LocalRub local_rub(const RubRecord& record, const LocalRubSettings& settings, std::size_t most_rows = 12000);
 
+/// By how much the stated rise of the bore, or a depth of wear, changes where only every second row is known, over its value: about what the distance
+/// between rows costs, since their error goes with that distance.
+/// @param of_all  what local_rub() makes of the same record
+double change_without_every_second_row(const RubRecord& record, const LocalRubSettings& settings,
+                                       const LocalRub& of_all);
+
 }  // namespace rotordrop

@@ -56,15 +56,11 @@ Json not_assessed(const std::optional<FatigueShare>& fatigue, const TouchdownPar
       else
         value = nullptr;
   }
-  return {{"assessed", false},
-          {"static_safety", nullptr},
-          {"pressure_is_void", nullptr},
-          {"required_static_safety", p.required_static_safety},
-          {"fatigue", shares},
-          {"wear_share", nullptr},
-          {"allowed_drops", nullptr},
-          {"governed_by", "nothing"},
-          {"basis", {"static safety" + why, "contact fatigue" + why, "wear" + why}}};
+  return {{"assessed", false},           {"static_safety", nullptr},
+          {"pressure_is_void", nullptr}, {"required_static_safety", p.required_static_safety},
+          {"fatigue", shares},           {"wear_share", nullptr},
+          {"rubs_on_shoulder", nullptr}, {"allowed_drops", nullptr},
+          {"governed_by", "nothing"},    {"basis", {"static safety" + why, "contact fatigue" + why, "wear" + why}}};
 }
 
 /// Numbers of the rows whose contact ellipses reached over the raceway's edge.
@@ -84,13 +80,13 @@ Json damage_json(const BearingSummary& b, const std::optional<FatigueShare>& fat
   const double wear_drops = number_at(wear, "/drops_until_limit");
   const double wear_share = std::isfinite(wear_drops) ? 1. / wear_drops : 0.;
   const double fatigue_share = fatigue ? fatigue->share : 0.;
-  // Shoulders wear, too, but that is not computed: where the bore does not, nothing is known of it.
+  // Shoulders wear, too, but that is not computed: the bore's wear is not the bearing's then.
   const bool is_on_shoulder = std::isfinite(b.scalars.first_shoulder_contact_time);
-  const bool has_wear = b.local && !(is_on_shoulder && wear_share == 0.);
+  const bool has_wear = b.local && !is_on_shoulder;
   const bool is_safe = safety >= p.required_static_safety;
   // Where ellipses reach over the edge the safety is lower: enough of it is not known, too little is.
   const auto edge = rows_over_the_edge(b);
-  const bool is_unknown = is_safe && !edge.empty();
+  const bool is_unknown = is_safe && (!edge.empty() || is_on_shoulder);
   Json j;
   j["assessed"] = true;
   j["static_safety"] = json_number(safety);
@@ -98,6 +94,7 @@ Json damage_json(const BearingSummary& b, const std::optional<FatigueShare>& fat
   j["required_static_safety"] = p.required_static_safety;
   j["fatigue"] = fatigue ? fatigue_json(*fatigue) : Json(nullptr);
   j["wear_share"] = has_wear ? Json(wear_share) : Json(nullptr);
+  j["rubs_on_shoulder"] = is_on_shoulder;
   j["allowed_drops"] = is_unknown ? Json(nullptr) : is_safe ? drops_of(std::max(fatigue_share, wear_share)) : Json(0);
   j["governed_by"] = !is_safe                       ? Json("static safety")
                      : j["allowed_drops"].is_null() ? Json("nothing")
@@ -112,9 +109,8 @@ Json damage_json(const BearingSummary& b, const std::optional<FatigueShare>& fat
                                                        fmt::join(edge, " and "))),
                 fatigue_basis(fatigue),
                 has_wear ? fmt::format("wear: Archard, until contact.wear_depth_limit = {:.4g} um, every drop at the "
-                                       "same place{}",
-                                       number_at(wear, "/depth_limit") * 1e6,
-                                       is_on_shoulder ? "; of the bore, wear at the shoulders is not computed" : "")
+                                       "same place",
+                                       number_at(wear, "/depth_limit") * 1e6)
                 : is_on_shoulder ? "wear: not assessed, the rotor rubs on a shoulder, whose wear is not computed"
                                  : "wear: not assessed"};
   return j;
@@ -124,6 +120,7 @@ bool is_assessed(const Json& d) { return d.value("assessed", true); }
 
 // Summaries of earlier versions do not have it.
 bool is_pressure_void(const Json& d) { return d.contains("pressure_is_void") && d["pressure_is_void"] == true; }
+bool rubs_on_shoulder(const Json& d) { return d.contains("rubs_on_shoulder") && d["rubs_on_shoulder"] == true; }
 
 std::string damage_text(const Json& d, std::size_t indent) {
   if (!is_assessed(d))
@@ -136,11 +133,12 @@ std::string damage_text(const Json& d, std::size_t indent) {
                             is_void ? " (ellipses over the edge)" : "");
   text += d["fatigue"].is_null() ? ", fatigue not assessed (no C)"
                                  : fmt::format(", fatigue {:.2g} of L10", d["fatigue"]["share"].get<double>());
-  text += d["wear_share"].is_null() ? ", wear not assessed"
+  text += d["wear_share"].is_null() ? (rubs_on_shoulder(d) ? ", wear of shoulders not assessed" : ", wear not assessed")
                                     : fmt::format(", wear {:.2g} of its limit", d["wear_share"].get<double>());
   const bool has_fatigue = !d["fatigue"].is_null(), has_wear = !d["wear_share"].is_null();
   if (d["allowed_drops"].is_null())
-    text += (has_fatigue || has_wear) && !is_void ? "; allowed drops: no limit found" : "; allowed drops: not assessed";
+    text += (has_fatigue || has_wear) && !is_void && !rubs_on_shoulder(d) ? "; allowed drops: no limit found"
+                                                                          : "; allowed drops: not assessed";
   else
     text += fmt::format("; allowed drops: {} ({})", d["allowed_drops"].get<long long>(),
                         d["governed_by"].get<std::string>());

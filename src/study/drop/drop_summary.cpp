@@ -116,7 +116,9 @@ DropSummary summarise(const Case& drop_case, const Machine& machine, const DropS
         }
     for (const auto& entry : p.bearings)
       if (const auto* touchdown = entry.touchdown(); touchdown && entry.name == b.name) {
-        if (parts.local_rub) b.local = local_summary(recorded, b.name, *touchdown, b.scalars.first_contact_time);
+        if (parts.local_rub)
+          b.local =
+              local_summary(recorded, b.name, *touchdown, {b.scalars.first_contact_time, b.scalars.first_contact_end});
         b.damage = damage_json(b, result.fatigue[i], *touchdown);
         if (parts.whirl) b.whirl = whirl_summary(recorded, b.name);
       }
@@ -143,8 +145,7 @@ DropSummary summarise(const Case& drop_case, const Machine& machine, const DropS
   s.statistics = result.statistics;
   s.input_warnings = drop_case.warnings;
   s.warnings = result.warnings;
-  for (auto& warning : warnings_in_summary(p, drop_case.parameters.output.interval, s))
-    s.warnings.push_back(std::move(warning));
+  for (auto& warning : warnings_in_summary(p, s)) s.warnings.push_back(std::move(warning));
   return s;
 }
 

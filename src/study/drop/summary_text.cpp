@@ -63,7 +63,7 @@ std::string bearing_text(const BearingSummary& b, double ambient) {
       s.friction_heat_rate.value * 1e-3);
   text += fmt::format("{:{}}ring speed {:.0f} rpm at the end, spin-up complete: {}; mean temperature rise {}\n", "",
                       indent, s.ring_speed_end * to_rpm, ms(s.catch_up_time), all_rises_text(b, ambient));
-  if (b.local) text += local_text(b.name, *b.local);
+  if (b.local) text += local_text(b.name, *b.local, std::isfinite(b.scalars.first_shoulder_contact_time));
   if (b.damage) text += damage_text(*b.damage, indent);
   if (b.is_free)
     text += fmt::format("{:{}}axial force on the ring {:.2f} to {:.2f} kN\n", "", indent, s.axial_force.smallest * 1e-3,

@@ -92,9 +92,10 @@ std::string sentence(const RunWarning& w) {
         100. * w.worst, w.part);
   if (code == "coarse-rows")
     return fmt::format(
-        "rows are {:.4g} ms apart, and the first contact lasts {:.4g} ms: local temperatures, depths of wear and "
-        "whirl are taken from rows, and fewer than ten leave them uncertain; make output.interval smaller",
-        w.worst * 1e3, 10. * w.limit * 1e3);
+        "local temperatures, depths of wear and whirl are taken from rows: with every second row alone a local "
+        "temperature or depth of wear would be {:.2g} % off (limit {:.2g} %), so that rows this far apart leave them "
+        "uncertain; make output.interval smaller",
+        100. * w.worst, 100. * w.limit);
   if (code == "local-temperature")
     return fmt::format(
         "the {} reaches {:.0f} K ({:.0f} degC) where it rubs{}, above the {:.4g} K ({:.4g} degC) that its material "
@@ -127,19 +128,17 @@ std::string placed_sentence(const RunWarning& w) { return (w.place.empty() ? "" 
 
 }  // namespace
 
-std::vector<RunWarning> warnings_in_summary(const MachineParameters& p, double row_interval,
-                                            const DropSummary& summary) {
+std::vector<RunWarning> warnings_in_summary(const MachineParameters& p, const DropSummary& summary) {
   std::vector<RunWarning> list;
   const auto warn = [&](const char* code, const std::string& place, const std::string& part, double worst, double limit,
                         double time = RunWarning::never) {
     if (worst > limit) list.push_back({find_warning_kind(code), place, part, 1, worst, limit, time});
   };
   for (const BearingSummary& b : summary.bearings) {
-    const double first_contact = b.scalars.first_contact_end - b.scalars.first_contact_time;
-    if (std::isfinite(first_contact) && (b.local || b.whirl))
-      warn("coarse-rows", b.name, "", row_interval, 0.1 * first_contact, b.scalars.first_contact_time);
     if (b.local) {
       const LocalRub& rub = b.local->rub;
+      warn("coarse-rows", b.name, "", b.local->change_by_fewer_rows, change_by_rows_limit,
+           b.scalars.first_contact_time);
       const auto* ring = find_material(p, touchdown_of(p, b.name).ring);
       if (ring && ring->temperature_limit && std::isfinite(rub.stated.time))
         warn("local-temperature", b.name, "bore", p.run.ambient + rub.stated.bore, *ring->temperature_limit,

@@ -11,8 +11,7 @@ namespace rotordrop {
 struct DropSummary;
 
 /// What only a summary tells: local temperatures, wear and whirl of its bearings.
-/// @param row_interval  of the rows from which they are taken [s]
-[[nodiscard]] std::vector<RunWarning> warnings_in_summary(const MachineParameters& parameters, double row_interval,
+[[nodiscard]] std::vector<RunWarning> warnings_in_summary(const MachineParameters& parameters,
                                                           const DropSummary& summary);
 
 /// `warnings` of summary.json.

@@ -30,14 +30,19 @@ double drops_until_limit(const LocalSummary& local) {
 }  // namespace
 
 LocalSummary local_summary(const RecordedDrop& drop, const std::string& bearing, const TouchdownParameters& parameters,
-                           double first_contact_time) {
+                           const FirstContact& first) {
   const auto& p = drop.parameters();
   LocalSummary s;
-  s.rub = local_rub(rub_record(drop, bearing), local_rub_settings(p, bearing, parameters));
+  const RubRecord record = rub_record(drop, bearing);
+  const LocalRubSettings settings = local_rub_settings(p, bearing, parameters);
+  s.rub = local_rub(record, settings);
   s.is_by_hertz = p.thermal.rub_band == RubBand::hertz;
   s.is_one_temperature = p.thermal.local_share == LocalShare::one_temperature;
-  const double first = std::isfinite(first_contact_time) ? first_contact_time : std::numeric_limits<double>::infinity();
-  s.is_half_space_valid = !(s.rub.stated.time > first + s.rub.valid_until);
+  const double start = std::isfinite(first.start) ? first.start : std::numeric_limits<double>::infinity();
+  s.is_half_space_valid = !(s.rub.stated.time > start + s.rub.valid_until);
+  // A light ring chatters in contacts shorter than rows, which does not matter if the impact as a whole has enough of them.
+  if (p.output.interval > 0.1 * (first.end - first.start))
+    s.change_by_fewer_rows = change_without_every_second_row(record, settings, s.rub);
   s.depth_limit = p.contact.wear_depth_limit;
   return s;
 }
@@ -85,18 +90,23 @@ Json wear_json(const LocalSummary& local) {
           {"drops_until_limit", number(drops_until_limit(local))}};
 }
 
-std::string local_text(const std::string& bearing, const LocalSummary& local) {
+std::string local_text(const std::string& bearing, const LocalSummary& local, bool rubs_on_shoulder) {
   const LocalRise& s = local.rub.stated;
-  if (!std::isfinite(s.time)) return {};
-  std::string text = fmt::format(
-      "{:{}}local temperature rise where they rub: bore {:.0f} K at {:.4g} ms (bounds {:.0f} to {:.0f} K), rotor "
-      "{:.0f} K\n",
-      "", bearing.size() + 2, s.bore, s.time * 1e3, local.rub.bore_rise_low, local.rub.bore_rise_high, s.rotor);
-  if (const double drops = drops_until_limit(local); std::isfinite(drops))
+  const int indent = static_cast<int>(bearing.size()) + 2;
+  std::string text;
+  if (std::isfinite(s.time))
+    text = fmt::format(
+        "{:{}}local temperature rise where they rub{}: bore {:.0f} K at {:.4g} ms (bounds {:.0f} to {:.0f} K), rotor "
+        "{:.0f} K\n",
+        "", indent, rubs_on_shoulder ? " in the bore" : "", s.bore, s.time * 1e3, local.rub.bore_rise_low,
+        local.rub.bore_rise_high, s.rotor);
+  if (const double drops = drops_until_limit(local); std::isfinite(s.time) && std::isfinite(drops))
     text +=
-        fmt::format("{:{}}wear per drop, estimated: bore {:.2g} um, rotor {:.2g} um; {:.2g} drops until {:.3g} um\n",
-                    "", bearing.size() + 2, local.rub.wear.bore_depth * 1e6, local.rub.wear.rotor_depth * 1e6, drops,
-                    local.depth_limit * 1e6);
+        fmt::format("{:{}}wear per drop, estimated: bore {:.2g} um, rotor {:.2g} um; {:.2g} drops until {:.3g} um{}\n",
+                    "", indent, local.rub.wear.bore_depth * 1e6, local.rub.wear.rotor_depth * 1e6, drops,
+                    local.depth_limit * 1e6, rubs_on_shoulder ? " in the bore" : "");
+  if (rubs_on_shoulder)
+    text += fmt::format("{:{}}local temperature and wear of the shoulders are not computed\n", "", indent);
   return text;
 }
 

@@ -70,7 +70,9 @@ void check_whirl(Checks& checks, const Json& summary, const std::string& name) {
   }
 }
 
-void check_skidding(Checks& checks, const Json& summary, const std::string& name, const TouchdownParameters& b) {
+/// @param rotor_speed  at the start [rad/s]
+void check_skidding(Checks& checks, const Json& summary, const std::string& name, const TouchdownParameters& b,
+                    double rotor_speed) {
   const std::string key = "/bearings/" + name;
   const double all = number_at(summary, key + "/skid/speed_change"),
                beyond = number_at(summary, key + "/skid/speed_change_beyond");
@@ -82,7 +84,7 @@ void check_skidding(Checks& checks, const Json& summary, const std::string& name
     checks.unknown(name + ": skidding",
                    "not judged: with cage = \"free\" the slip of the balls is computed; cage_speed in results.h5 has "
                    "how far they lag");
-  const bool is_rolling = beyond <= relevant_speed_share * all;
+  const bool is_rolling = !is_skidding_relevant(beyond, all, rotor_speed);
   if (b.cage == CageModel::rolling)
     checks.add(
         name + ": skidding", is_rolling,
@@ -183,13 +185,16 @@ void check_wear(Checks& checks, const Json& summary, const std::string& name) {
       checks.add(name + ": wear", true, "none: nothing rubs, or the wear coefficients are zero");
     return;
   }
-  checks.add(
-      name + ": wear", drops >= 1.,
-      fmt::format("largest depth {:.2g} um in the bore and {:.2g} um in the rotor after this drop; {:.2g} such drops "
-                  "at the same position until {:.3g} um. Wear coefficients are known to a factor of ten at best{}",
-                  bore * 1e6, number_at(summary, key + "rotor_depth") * 1e6, drops,
-                  number_at(summary, key + "depth_limit") * 1e6,
-                  is_on_shoulder(summary, name) ? "; wear at the shoulders is not computed" : ""));
+  const bool is_whole = !is_on_shoulder(summary, name);
+  const std::string text = fmt::format(
+      "largest depth {:.2g} um in the bore and {:.2g} um in the rotor after this drop; {:.2g} such drops "
+      "at the same position until {:.3g} um. Wear coefficients are known to a factor of ten at best{}",
+      bore * 1e6, number_at(summary, key + "rotor_depth") * 1e6, drops, number_at(summary, key + "depth_limit") * 1e6,
+      is_whole ? "" : "; wear at the shoulders is not computed");
+  if (is_whole || drops < 1.)
+    checks.add(name + ": wear", drops >= 1., text);
+  else
+    checks.unknown(name + ": wear", text);
 }
 
 void check_temperatures(Checks& checks, const RecordedDrop& drop, const std::string& name,
@@ -307,7 +312,7 @@ Json report_checks(const RecordedDrop& drop, const Json& summary) {
     check_pressure(checks, drop, summary, name, b);
     if (!summary.is_null()) {
       check_balls(checks, summary, name);
-      check_skidding(checks, summary, name, b);
+      check_skidding(checks, summary, name, b, drop.parameters().run.initial_speed);
       check_whirl(checks, summary, name);
       check_support(checks, summary, name);
     }
