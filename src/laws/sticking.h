@@ -6,9 +6,11 @@
 //   w     = v kappa z_max / sqrt((kappa z_max)^2 + v^2)       slip that bends the bristle: v itself while slow
 //   z'    = w - a max(w . e, 0) e - kappa max(|z| - z_max, 0) e - (1 - a) (V / l) z,        e = z / |z|
 //   a     = 0 up to 0.8 z_max, s^2 (3 - 2 s) with s = (|z|/z_max - 0.8) / 0.2 above, 1 from z_max on
-//   F     = k min(|z|, z_max) f e + (k / 2 kappa) (w - a max(w . e, 0) e),          f = 1, but |w|/|v| while v bends the bristle back
+//   F     = k min(|z|, z_max) f e + b (k / kappa) w,          f = 1, but |w|/|v| while v bends the bristle back
+//   b     = 1, or as much as keeps |F| at L: friction is never above it
 // Below 0.8 L the bristle is a spring: what rests stays, without drift (Dupont, Hayward, Armstrong & Altpeter, IEEE Trans. Autom. Control 47
-// (2002) 787). In sliding |z| = z_max along v and F = L: the regularised law's. The rate kappa bounds how fast a bristle yields, so that slip at tens
+// (2002) 787). In sliding |z| = z_max along v and F = L: the regularised law's. Where slip is fast at once, as in an impact, |w| = kappa z_max and F = L
+// from the first instant on, while the bristle still bends. The rate kappa bounds how fast a bristle yields, so that slip at tens
 // of metres per second is no stiffer than slip near rest; a has no slope at either end, as Dupont's sine: with one at z_max a bristle that slides
 // would be stiff (10 kappa for s^2) and bound an integrator's steps. In surfaces that roll through the contact with the speed V the bristles leave it
 // after its length l: then a lasting force creeps, as in rolling contact (Carter 1926).
@@ -55,10 +57,21 @@ struct StickingFriction {
     Result r;
     r.bristle_rate = {bending_t - bent * over * e_t - leaving * z.t, bending_x - bent * over * e_x - leaving * z.x};
     const double spring = stiffness * std::min(length, z_max) * (along < 0. ? yielding : 1.);
-    const double damping = 0.5 * stiffness / rate;
-    r.force = {spring * e_t + damping * bending_t, spring * e_x + damping * bending_x};
+    const double damping = stiffness / rate;
+    r.force = within(limit, {spring * e_t, spring * e_x}, {damping * w_t, damping * w_x});
     r.stored_rate = stiffness * (z.t * r.bristle_rate.t + z.x * r.bristle_rate.x);
     return r;
+  }
+  /// A spring's force, at most the limit, and as much of a damper's that both together are not above it.
+  [[nodiscard]] static Vector within(double limit, const Vector& spring, const Vector& damper) {
+    const double square = damper.t * damper.t + damper.x * damper.x, both = spring.t * damper.t + spring.x * damper.x;
+    const double left = limit * limit - (spring.t * spring.t + spring.x * spring.x);
+    double share = 1.;
+    if (square > 0. && 2. * both + square > left) {
+      const double room = std::max(left, 0.), root = std::sqrt(both * both + square * room);
+      share = both > 0. ? room / (both + root) : (root - both) / square;
+    }
+    return {spring.t + share * damper.t, spring.x + share * damper.x};
   }
   [[nodiscard]] double energy(const Vector& z) const { return 0.5 * stiffness * (z.t * z.t + z.x * z.x); }
 };
