@@ -86,7 +86,7 @@ const std::vector<SupportLawKind>& support_law_kinds() {
        },
        [](const P& p) {
          const auto axis = ribbon_axis(*p.ribbon);
-         return std::make_shared<RibbonSupport>(std::array{axis, axis});
+         return std::make_shared<RibbonSupport>(axis);
        },
        [](const P& p) {
          const auto axis = ribbon_axis(*p.ribbon);

@@ -19,9 +19,6 @@ struct StopOperator {
   double reach = 0;                     ///< z_s [m], > 0; k z_s is the force at which it slips
   static constexpr double onset = 0.2;  ///< e
 
-  static constexpr const char* name = "slider";
-  [[nodiscard]] double scale() const { return reach; }  ///< of z [m]
-
   [[nodiscard]] double yielding(double z, double v) const {
     if (z * v <= 0.) return 0.;
     return std::clamp((std::fabs(z) / reach - (1. - onset)) / onset, 0., 1.);

@@ -16,17 +16,20 @@ std::array<double, 2> velocity_of(const SupportMotion& m) { return {m.vy, m.vz};
 }  // namespace
 
 SupportPlace resting_place(const SupportLaw& law, double force_y, double force_z) {
-  // Newton's method on a convex energy, halved where it would rise.
+  // Newton's method on a convex energy, halved where it would rise; near the minimum, where rounding hides that, where the force left would.
   SupportPlace at;
-  const auto total = [&](double y, double z) { return law.rest(y, z).energy - force_y * y - force_z * z; };
+  const auto rises = [&](const SupportPlace& from, double d_y, double d_z) {
+    const SupportRest here = law.rest(from.y, from.z), there = law.rest(from.y + d_y, from.z + d_z);
+    const auto left = [&](const SupportRest& r) { return std::hypot(r.force_y + force_y, r.force_z + force_z); };
+    return there.energy - here.energy > force_y * d_y + force_z * d_z && left(there) > left(here);
+  };
   for (int step = 0; step < 200; ++step) {
     const SupportRest r = law.rest(at.y, at.z);
     const double f_y = r.force_y + force_y, f_z = r.force_z + force_z;
     const double determinant = r.k_yy * r.k_zz - r.k_yz * r.k_zy;
     if (!(determinant > 0.)) break;
     double d_y = (r.k_zz * f_y - r.k_yz * f_z) / determinant, d_z = (r.k_yy * f_z - r.k_zy * f_y) / determinant;
-    const double before = total(at.y, at.z);
-    for (int half = 0; half < 60 && total(at.y + d_y, at.z + d_z) > before; ++half) {
+    for (int half = 0; half < 60 && rises(at, d_y, d_z); ++half) {
       d_y *= 0.5;
       d_z *= 0.5;
     }
@@ -52,39 +55,100 @@ SupportRest SpringSupport::rest(double y, double z) const {
   return {-K_[0] * y, -K_[1] * z, K_[0], 0., 0., K_[1], 0.5 * (K_[0] * y * y + K_[1] * z * z)};
 }
 
-// ------------------------------------------------------------------------- elements in parallel: ribbon, elastomer
+// ---------------------------------------------------------------------------------------------- ribbon
 
-template <class Axis>
-std::vector<SupportLaw::State> ParallelSupport<Axis>::states() const {
+// Deflections of the sliders: all along y, then all along z.
+std::vector<SupportLaw::State> RibbonSupport::states() const {
   std::vector<State> all;
-  for (std::size_t axis = 0; axis < 2; ++axis)
-    for (std::size_t j = 0; j < axes_[axis].elements.size(); ++j) {
-      const auto& e = axes_[axis].elements[j];
-      all.push_back({e.name + (" " + std::to_string(j + 1)) + " " + axis_names[axis], "m", e.scale()});
-    }
+  for (const char* axis : axis_names)
+    for (std::size_t j = 0; j < axis_.elements.size(); ++j)
+      all.push_back({"slider " + std::to_string(j + 1) + " " + axis, "m", axis_.elements[j].reach});
   return all;
 }
 
-template <class Axis>
-void ParallelSupport<Axis>::settle(double y, double z, std::span<double> inner) const {
-  std::size_t at = 0;
-  for (std::size_t axis = 0; axis < 2; ++axis)
-    for (const auto& e : axes_[axis].elements) inner[at++] = e.pushed(axis == 0 ? y : z);
+void RibbonSupport::settle(double y, double z, std::span<double> inner) const {
+  const std::size_t n = axis_.elements.size();
+  const double length = std::hypot(y, z);
+  for (std::size_t j = 0; j < n; ++j) {
+    const double part = length > 0. ? axis_.elements[j].pushed(length) / length : 1.;
+    inner[j] = part * y;
+    inner[n + j] = part * z;
+  }
 }
 
-template <class Axis>
-SupportAnswer ParallelSupport<Axis>::evaluate(const SupportMotion& m, std::span<const double> inner,
-                                              std::span<double> rates) const {
+SupportAnswer RibbonSupport::evaluate(const SupportMotion& m, std::span<const double> inner,
+                                      std::span<double> rates) const {
+  const std::size_t n = axis_.elements.size();
+  double f_y = axis_.stiffness * m.y + axis_.damping * m.vy, f_z = axis_.stiffness * m.z + axis_.damping * m.vz;
+  double loss = axis_.damping * (m.vy * m.vy + m.vz * m.vz);
+  for (std::size_t j = 0; j < n; ++j) {
+    const StopOperator& slider = axis_.elements[j];
+    const double z_y = inner[j], z_z = inner[n + j], length = std::sqrt(z_y * z_y + z_z * z_z);
+    const double per_length = length > 0. ? 1. / length : 0., e_y = z_y * per_length, e_z = z_z * per_length;
+    const double flow = slider.flow(length, m.vy * e_y + m.vz * e_z);
+    f_y += slider.stiffness * z_y;
+    f_z += slider.stiffness * z_z;
+    loss += slider.stiffness * length * flow;
+    rates[j] = m.vy - flow * e_y;
+    rates[n + j] = m.vz - flow * e_z;
+  }
+  return {-f_y, -f_z, loss};
+}
+
+double RibbonSupport::energy(const SupportMotion& m, std::span<const double> inner) const {
+  const std::size_t n = axis_.elements.size();
+  double U = 0.5 * axis_.stiffness * (m.y * m.y + m.z * m.z);
+  for (std::size_t j = 0; j < n; ++j)
+    U += 0.5 * axis_.elements[j].stiffness * (inner[j] * inner[j] + inner[n + j] * inner[n + j]);
+  return U;
+}
+
+SupportRest RibbonSupport::rest(double y, double z) const {
+  const double length = std::hypot(y, z);
+  double along = axis_.stiffness, across = axis_.stiffness, U = 0.5 * axis_.stiffness * length * length;
+  for (const StopOperator& slider : axis_.elements) {
+    along += slider.stiffness * slider.pushed_slope(length);
+    across += slider.stiffness * (length > 0. ? slider.pushed(length) / length : 1.);
+    U += slider.pushed_energy(length);
+  }
+  const double n_y = length > 0. ? y / length : 1., n_z = length > 0. ? z / length : 0.;
+  const double mixed = (along - across) * n_y * n_z;
+  return {-across * y,
+          -across * z,
+          along * n_y * n_y + across * n_z * n_z,
+          mixed,
+          mixed,
+          along * n_z * n_z + across * n_y * n_y,
+          U};
+}
+
+// ---------------------------------------------------------------------------------------------- elastomer
+
+std::vector<SupportLaw::State> ElastomerSupport::states() const {
+  constexpr double usual = 1e-5;  // [m]
+  std::vector<State> all;
+  for (std::size_t axis = 0; axis < 2; ++axis)
+    for (std::size_t j = 0; j < axes_[axis].elements.size(); ++j)
+      all.push_back({"Maxwell element " + std::to_string(j + 1) + " " + axis_names[axis], "m", usual});
+  return all;
+}
+
+void ElastomerSupport::settle(double, double, std::span<double> inner) const {
+  std::fill(inner.begin(), inner.end(), 0.);
+}
+
+SupportAnswer ElastomerSupport::evaluate(const SupportMotion& m, std::span<const double> inner,
+                                         std::span<double> rates) const {
   const auto x = place_of(m), v = velocity_of(m);
   std::array<double, 2> force{};
   double loss = 0.;
   std::size_t at = 0;
   for (std::size_t axis = 0; axis < 2; ++axis) {
-    const Axis& a = axes_[axis];
+    const MaxwellModel& a = axes_[axis];
     double f = a.stiffness * x[axis] + a.damping * v[axis];
     loss += a.damping * v[axis] * v[axis];
     for (const auto& e : a.elements) {
-      const double q = inner[at], flow = e.flow(q, v[axis]);
+      const double q = inner[at], flow = q / e.time;
       f += e.stiffness * q;
       loss += e.stiffness * q * flow;
       rates[at++] = v[axis] - flow;
@@ -94,8 +158,7 @@ SupportAnswer ParallelSupport<Axis>::evaluate(const SupportMotion& m, std::span<
   return {force[0], force[1], loss};
 }
 
-template <class Axis>
-double ParallelSupport<Axis>::energy(const SupportMotion& m, std::span<const double> inner) const {
+double ElastomerSupport::energy(const SupportMotion& m, std::span<const double> inner) const {
   const auto x = place_of(m);
   double U = 0.;
   std::size_t at = 0;
@@ -109,30 +172,10 @@ double ParallelSupport<Axis>::energy(const SupportMotion& m, std::span<const dou
   return U;
 }
 
-template <class Axis>
-SupportRest ParallelSupport<Axis>::rest(double y, double z) const {
-  const std::array<double, 2> x = {y, z};
-  std::array<double, 2> f{}, k{};
-  SupportRest r;
-  for (std::size_t axis = 0; axis < 2; ++axis) {
-    f[axis] = axes_[axis].stiffness * x[axis];
-    k[axis] = axes_[axis].stiffness;
-    r.energy += 0.5 * axes_[axis].stiffness * x[axis] * x[axis];
-    for (const auto& e : axes_[axis].elements) {
-      f[axis] += e.stiffness * e.pushed(x[axis]);
-      k[axis] += e.stiffness * e.pushed_slope(x[axis]);
-      r.energy += e.pushed_energy(x[axis]);
-    }
-  }
-  r.force_y = -f[0];
-  r.force_z = -f[1];
-  r.k_yy = k[0];
-  r.k_zz = k[1];
-  return r;
+SupportRest ElastomerSupport::rest(double y, double z) const {
+  const double k_y = axes_[0].stiffness, k_z = axes_[1].stiffness;
+  return {-k_y * y, -k_z * z, k_y, 0., 0., k_z, 0.5 * (k_y * y * y + k_z * z * z)};
 }
-
-template class ParallelSupport<RibbonAxis>;
-template class ParallelSupport<MaxwellModel>;
 
 std::array<double, 2> MaxwellModel::dynamic_stiffness(double w) const {
   double storage = stiffness, loss = damping * w;

@@ -23,13 +23,19 @@ class SpringSupport final : public SupportLaw {
   std::array<double, 2> K_, C_;  // [N/m], [N s/m]
 };
 
-/// Along each axis a spring, a damper and elements in parallel: force = k_0 x + c v + sum k_j q_j, q_j' = v - flow_j. An element dissipates
-/// k q flow; it has its stiffness k, flow(q, v), and q with its slope and its energy after a slow push.
-template <class AxisOfElements>
-class ParallelSupport final : public SupportLaw {
+/// Along a direction a spring, a damper and sliders (Iwan) in parallel.
+struct RibbonAxis {
+  double stiffness = 0;  ///< that remains when all sliders slip [N/m]
+  double damping = 0;    ///< [N s/m]
+  std::vector<StopOperator> elements;
+};
+
+/// Corrugated ribbon around the ring, the same in every direction: force = k_0 x + c v + sum k_j z_j, vectors across the axis. A slider has its reach in
+/// every direction, and yields along its own deflection: e = z / |z|, z' = v - a max(v . e, 0) e (StopOperator along e); so a ring that whirls meets the slip force, not more.
+class RibbonSupport final : public SupportLaw {
  public:
-  using Axis = AxisOfElements;
-  explicit ParallelSupport(std::array<Axis, 2> axes) : axes_(std::move(axes)) {}
+  using Axis = RibbonAxis;
+  explicit RibbonSupport(Axis axis) : axis_(std::move(axis)) {}
   [[nodiscard]] std::vector<State> states() const override;
   void settle(double y, double z, std::span<double> inner) const override;
   SupportAnswer evaluate(const SupportMotion& m, std::span<const double> inner, std::span<double> rates) const override;
@@ -37,35 +43,34 @@ class ParallelSupport final : public SupportLaw {
   [[nodiscard]] SupportRest rest(double y, double z) const override;
 
  private:
-  std::array<Axis, 2> axes_;
+  Axis axis_;
 };
 
-/// Corrugated ribbon: sliders (Iwan).
-struct RibbonAxis {
-  double stiffness = 0;  ///< that remains when all sliders slip [N/m]
-  double damping = 0;    ///< [N s/m]
-  std::vector<StopOperator> elements;
-};
-using RibbonSupport = ParallelSupport<RibbonAxis>;
-
-/// Elastomer: Maxwell elements, flow = q_j / tau_j. After a slow push they have relaxed.
+/// Springs and dampers in parallel and series.
 struct MaxwellModel {
   double stiffness = 0;  ///< k_0, at rest [N/m]
   double damping = 0;    ///< c [N s/m]
   struct Element {
     double stiffness = 0, time = 0;  ///< k_j [N/m], tau_j [s]
-    static constexpr const char* name = "Maxwell element";
-    [[nodiscard]] double scale() const { return 1e-5; }  ///< of q [m]
-    [[nodiscard]] double flow(double q, double /*v*/) const { return q / time; }
-    [[nodiscard]] double pushed(double /*x*/) const { return 0.; }
-    [[nodiscard]] double pushed_slope(double /*x*/) const { return 0.; }
-    [[nodiscard]] double pushed_energy(double /*x*/) const { return 0.; }
   };
   std::vector<Element> elements;
   /// Storage and loss stiffness at an angular frequency [rad/s].
   [[nodiscard]] std::array<double, 2> dynamic_stiffness(double frequency) const;
 };
-using ElastomerSupport = ParallelSupport<MaxwellModel>;
+
+/// Elastomer, along each axis: force = k_0 x + c v + sum k_j q_j, q_j' = v - q_j / tau_j. After a slow push the elements have relaxed.
+class ElastomerSupport final : public SupportLaw {
+ public:
+  explicit ElastomerSupport(std::array<MaxwellModel, 2> axes) : axes_(std::move(axes)) {}
+  [[nodiscard]] std::vector<State> states() const override;
+  void settle(double y, double z, std::span<double> inner) const override;
+  SupportAnswer evaluate(const SupportMotion& m, std::span<const double> inner, std::span<double> rates) const override;
+  [[nodiscard]] double energy(const SupportMotion& m, std::span<const double> inner) const override;
+  [[nodiscard]] SupportRest rest(double y, double z) const override;
+
+ private:
+  std::array<MaxwellModel, 2> axes_;
+};
 
 /// Oil film around the outer ring, which does not turn: short bearing (Ocvirk), open ends, with the oil's own pressure at least zero if it cavitates.
 ///
