@@ -20,7 +20,9 @@ constexpr double decades = 3.;  ///< below the largest amplitude, in colours and
 
 /// Of a frequency whose sign is that of the whirl. @param spin  speed of the rotor at the start
 std::string frequency_label(bool is_two_sided, double spin) {
-  return is_two_sided ? std::string("frequency (positive: ") + (spin < 0. ? "backward)" : "forward)") : "frequency";
+  if (!is_two_sided) return "frequency";
+  if (spin == 0.) return "frequency (positive: from +y to +z)";
+  return std::string("frequency (positive: ") + (spin < 0. ? "backward)" : "forward)");
 }
 
 /// Straight lines between rows a distance d apart weigh a vibration of frequency f with sinc(f d)^2.
@@ -128,15 +130,16 @@ Json spectrum_chart(const Signal& signal, const Waterfall& w, double spin, std::
                 {"x", rounded(few.frequencies, 1., 6)},
                 {"y", rounded(logarithms(few.amplitudes, signal.scale), 1., 5)}};
   };
-  Json marks = {{{"x", signal.z ? spin : std::abs(spin)}, {"name", "1x"}}};
-  if (signal.z) marks.push_back({{"x", -spin}, {"name", "-1x"}});
+  Json marks = Json::array();
+  if (spin != 0.) marks.push_back({{"x", signal.z ? spin : std::abs(spin)}, {"name", "1x"}});
+  if (spin != 0. && signal.z) marks.push_back({{"x", -spin}, {"name", "-1x"}});
   return {{"id", "spectrum-" + signal.id},
           {"section", "Spectra"},
           {"title", signal.title},
           {"x", {{"label", frequency_label(signal.z.has_value(), spin)}, {"unit", "Hz"}}},
           {"y", {{"label", signal.quantity}, {"unit", signal.unit}, {"log", true}}},
-          {"note",
-           words(w, signal.y.times.back() - signal.y.times.front()) + " 1x: spin frequency of the rotor at the start."},
+          {"note", words(w, signal.y.times.back() - signal.y.times.front()) +
+                       (spin != 0. ? " 1x: spin frequency of the rotor at the start." : "")},
           {"marks", marks},
           {"lines",
            {line("largest of all segments", w.largest(), 0), line("root mean square of the segments", w.mean(), 2)}}};
