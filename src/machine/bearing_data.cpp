@@ -97,6 +97,7 @@ BearingCircuitData circuit_data(const MachineParameters& p, const std::string& n
   c.housing_outside = b.housing_diameters[1];
   c.housing_length = b.housing_length;
   c.shaft_length = b.shaft_lump_length.value_or(b.width);
+  c.shaft_bore_radius = shaft_bore_radius(p, b);
   c.n_balls = b.rows * b.balls_per_row;
   c.ball_diameter = b.ball_diameter;
   c.h_shaft = t.h_shaft;
@@ -107,7 +108,7 @@ BearingCircuitData circuit_data(const MachineParameters& p, const std::string& n
   if (t.shaft == ShaftModel::fin) c.fins = shaft_fins(p, b, c);
   if (t.fe.shaft == FeShaft::beyond) c.shaft_steps = shaft_steps(p, b);
   c.balls_roll = t.contact_conduction == BallConductionModel::rolling;
-  c.ball_conduction = p.single.ball_conduction;
+  if (name == p.single.heated) c.ball_conduction = p.single.ball_conduction;
   if (t.spreading == RacewaySpreading::strip) c.strips = raceway_strips(p, b);
   c.plane_strain_growth = t.plane_strain_growth;
   c.shaft_ring_link = t.shaft_ring_link;

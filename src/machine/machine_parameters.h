@@ -55,7 +55,8 @@ Node default_materials();
 
 /// What else counts for a bearing that is computed by itself.
 struct SingleBearing {
-  std::vector<int> neighbours;                    ///< nodes of the other touchdown bearings, which share the shaft
+  std::vector<int> neighbours;  ///< nodes of the other touchdown bearings, which share the shaft
+  std::string heated;           ///< the bearing whose balls conduct as follows; others may be joined to it by resistors
   std::optional<BallConduction> ball_conduction;  ///< given: no loads and speeds decide it
 };
 

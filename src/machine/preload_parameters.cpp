@@ -44,7 +44,7 @@ Section<PreloadMapParameters> map_section() {
           .fallback = {"0 K", "5 K", "10 K", "15 K", "20 K", "25 K", "30 K", "35 K", "40 K", "45 K", "50 K"},
           .help = std::string("Temperature of the ") + part +
                   " ring over ambient, even over the ring, which grows "
-                  "freely; balls cold."});
+                  "freely; the balls' is the mean of both rings'."});
   };
   rise("inner_rise", &P::inner_rise, "inner");
   rise("outer_rise", &P::outer_rise, "outer");

@@ -18,23 +18,27 @@ using std::numbers::pi;
 
 constexpr double shortest_step = 0.5e-3;  // [m]
 
-/// Mean section and perimeter of the shaft between two places. Of elements over the same span (a sleeve on a shaft) the outermost surface gives off heat.
+/// The shaft between two places, cut where its diameters change. Of elements over the same span (a sleeve on a shaft) the outermost surface gives off heat.
 FinPiece piece_between(const RotorGeometry& g, double from, double to) {
-  FinPiece piece{to - from, 0., 0.};
+  FinPiece piece;
   std::vector<double> cuts = {from, to};
   for (const double x : g.node_x)
     if (x > from && x < to) cuts.push_back(x);
   std::sort(cuts.begin(), cuts.end());
   for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
-    const double middle = 0.5 * (cuts[i] + cuts[i + 1]), part = (cuts[i + 1] - cuts[i]) / piece.length;
+    const double middle = 0.5 * (cuts[i] + cuts[i + 1]);
+    if (cuts[i + 1] - cuts[i] < 1e-9) continue;  // places that differ by rounding
     double section = 0., outside = 0.;
     for (const auto& e : g.elements) {
       if (middle < g.position(e.n1) || middle > g.position(e.n2)) continue;
       section += 0.25 * pi * (e.od * e.od - e.id * e.id);
       outside = std::max(outside, e.od);
     }
-    piece.section += part * section;
-    piece.perimeter += part * pi * outside;
+    auto& bars = piece.bars;
+    if (!bars.empty() && bars.back().section == section && bars.back().perimeter == pi * outside)
+      bars.back().length += cuts[i + 1] - cuts[i];
+    else
+      bars.push_back({cuts[i + 1] - cuts[i], section, pi * outside});
   }
   return piece;
 }
@@ -101,6 +105,14 @@ std::vector<Piece> pieces_of(const RotorGeometry& g, double face, double directi
 
 }  // namespace
 
+double shaft_bore_radius(const MachineParameters& p, const TouchdownParameters& b) {
+  const RotorGeometry& g = p.rotor.geometry;
+  if (g.node_x.empty() || b.node < 1 || b.node > g.n_nodes()) return 0.;  // a fault of its own
+  constexpr double thinnest = 0.05;                                       // wall over radius
+  const double journal = bore_radius(b, p.contact) - air_gap(b, p.contact);
+  return std::min(radii_at(g, g.position(b.node)).first, (1. - thinnest) * journal);
+}
+
 std::vector<FinNode> shaft_fins(const MachineParameters& p, const TouchdownParameters& b,
                                 const BearingCircuitData& circuit) {
   const auto span = span_of(p, b);
@@ -110,7 +122,7 @@ std::vector<FinNode> shaft_fins(const MachineParameters& p, const TouchdownParam
   const double k = circuit.shaft.conductivity, d = 2. * circuit.journal_radius;
   const double longest = longest_fin(k, d, circuit.h_shaft);
   // Heat enters evenly along the lump and leaves it at both faces.
-  const double before = half / (3. * k * 0.25 * pi * d * d);
+  const double before = half / (3. * k * circuit.shaft_section());
   std::vector<FinNode> fins;
   for (const auto& [side, length] :
        {std::pair("left", at - half - span->first), std::pair("right", span->last - at - half)}) {
@@ -120,9 +132,13 @@ std::vector<FinNode> shaft_fins(const MachineParameters& p, const TouchdownParam
     for (const double l : fin_lengths(std::min(length, longest), std::min(0.15 * d, length))) {
       const double low = side == std::string("left") ? at - half - from - l : at + half + from;
       pieces.push_back(piece_between(g, low, low + l));
+      if (side == std::string("left")) std::ranges::reverse(pieces.back().bars);
       from += l;
     }
-    if (std::any_of(pieces.begin(), pieces.end(), [](const auto& piece) { return piece.section <= 0.; })) continue;
+    const auto has_gap = [](const FinPiece& piece) {
+      return std::ranges::any_of(piece.bars, [](const FinBar& bar) { return bar.section <= 0.; });
+    };
+    if (std::ranges::any_of(pieces, has_gap)) continue;
     const double rho_c = circuit.shaft.volumetric_capacity();
     for (auto& node : fin_nodes(side, pieces, before, circuit.h_shaft, k, rho_c)) fins.push_back(std::move(node));
   }

@@ -271,6 +271,7 @@ void add_geometry(py::module_& core) {
       .def_readonly("housing_outside", &B::housing_outside, "diameter [m]")
       .def_readonly("housing_length", &B::housing_length, "[m]")
       .def_readonly("shaft_length", &B::shaft_length, "of the lump of shaft [m]")
+      .def_readonly("shaft_bore_radius", &B::shaft_bore_radius, "of a hollow shaft, 0 of a solid one [m]")
       .def_readonly("n_balls", &B::n_balls, "of all rows")
       .def_readonly("ball_diameter", &B::ball_diameter, "[m]")
       .def_readonly("h_shaft", &B::h_shaft, "[W/(m2 K)]")

@@ -291,6 +291,30 @@ class HeatOfABearing(ProgramTest):
             self.assertLess(abs(energy["residual"]), within * energy["input"], name)
             self.assertGreater(energy["stored"], 0, name)
 
+    def test_a_stated_conductance_is_the_heated_bearings_alone_and_as_stated(self):
+        """TB1's ring, joined to the heated TB2 by a resistor, passes heat on through its own balls: the ratio of its rings' rises is its own."""
+        text = '''
+[heat]
+bearing = "TB2"
+output_times = ["1e6 s"]
+[[thermal.resistor]]
+between = ["TB1/inner_ring", "TB2/inner_ring"]
+resistance = "0.1 K/W"
+[[heat.source]]
+port = "rub-into-ring"
+times = [0]
+values = ["100 W"]
+'''
+        rises = {}
+        for name, extra in (("R5", ""), ("stated", 'ball_conductance = "1000 W/K"\n'), ("factor", 'ball_conductance = "1000 W/K"\n')):
+            factor = "[bearings.TB2.circuit]\nball = 0.1\n" if name == "factor" else ""
+            probes = self.heat(factor + text.replace("[heat]\n", "[heat]\n" + extra), output=name)["probes"]
+            rises[name] = {node: probes["lumped." + node]["temperature"][-1] - 293.15 for node in ("TB1.inner_ring", "TB1.outer_ring", "inner_ring", "outer_ring")}
+        of_own = [rise["TB1.outer_ring"] / rise["TB1.inner_ring"] for rise in (rises["R5"], rises["stated"])]
+        self.assertAlmostEqual(of_own[1], of_own[0], delta=0.05 * of_own[0], msg="the housing's convection rises with its temperature")
+        self.assertGreater(rises["stated"]["outer_ring"] / rises["stated"]["inner_ring"], 1.5 * rises["R5"]["outer_ring"] / rises["R5"]["inner_ring"])
+        self.assertEqual(rises["factor"], rises["stated"], "the calibration's factor is on what is computed")
+
     def test_recorded_heat_gives_the_drops_own_circuit(self):
         """Within a row of 50 us the heat is spread evenly: heat of a row, at most a fiftieth of all, moves by less than 50 us, and conduction changes a node
         by 50 us over the circuit's time constants, 5 s and more. That is 2e-7 of the largest rise."""

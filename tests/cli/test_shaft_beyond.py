@@ -11,6 +11,9 @@ import pathlib
 import sys
 import unittest
 
+import h5py
+import numpy
+
 sys.path.insert(0, __file__.rpartition("/")[0])
 from program import PROGRAM, ProgramTest  # noqa: E402
 
@@ -20,11 +23,11 @@ AMBIENT, K, D, WATTS = 293.15, 70.0, 69.5e-3, 50.0
 
 @unittest.skipUnless(HAS_ROOM, "built without finite elements")
 class ShaftBeyond(ProgramTest):
-    def uniform_rotor(self):
+    def uniform_rotor(self, bore=0.0):
         """The reference case with a shaft of one diameter, that of the journal."""
         rotor = json.loads((self.folder / "neisi2019-rotor.json").read_text())
         for element in rotor["elements"]:
-            element["od"] = D
+            element.update(od=D, id_=bore)
         (self.folder / "neisi2019-rotor.json").write_text(json.dumps(rotor))
 
     def heat(self, text, probes, *options):
@@ -99,6 +102,105 @@ values = ["{WATTS} W"]
 ''', {"shaft": 'node = "shaft"'})
             # Before it flows; the fin takes 0.1 % of it by then.
             self.assertAlmostEqual(rises[rho]["shaft"] * rho * 510 * math.pi / 4 * D**2 * 20e-3 / (WATTS * 10e-3), 1, delta=0.005)
+
+    def test_a_hollow_shaft_has_the_capacity_of_its_wall(self):
+        self.uniform_rotor(bore=0.8 * D)
+        for models, fe_shaft in (('["lumped"]', "lump"), ('["fe"]', "lump"), ('["fe"]', "bearing")):
+            rise, _ = self.heat(f'''
+[thermal]
+models = {models}
+shaft = "lump"
+[thermal.fe]
+shaft = "{fe_shaft}"
+[heat]
+bearing = "TB1"
+output_times = ["10 ms"]
+[[heat.source]]
+port = "rub-into-shaft"
+times = [0]
+values = ["{WATTS} W"]
+''', {"shaft": 'node = "shaft"'})
+            # Before it flows on: 1/R2 takes 2e-4 of it by then from a lump, 1 % from a heated surface.
+            wall = 7800 * 510 * math.pi / 4 * (D**2 - (0.8 * D) ** 2) * 20e-3
+            self.assertAlmostEqual(rise["shaft"] * wall / (WATTS * 10e-3), 1, delta=0.02, msg=f"{models}, {fe_shaft}")
+
+    def test_a_longer_lump_is_cooled_over_its_length(self):
+        """A uniform rod whose heat enters evenly over the lump: with m its decay, a fin's rise at the lump's faces, and a parabola-like one between, which one
+        node for the lump has the mean of. Another length of the lump moves little of the mean rise; until its surface was left out, 20 % and the other way."""
+        self.uniform_rotor()
+        h = 50.0
+        rises = {}
+        for length in (20e-3, 60e-3):
+            rise, summary = self.heat(f'''
+[bearings.TB1]
+shaft_lump_length = {length}
+[thermal]
+models = ["lumped"]
+shaft = "fin"
+h_shaft = {h}
+shaft_ring_link = "in-contact"
+gas_conductivity = 1e-6
+[heat]
+bearing = "TB1"
+output_times = ["4e5 s"]
+[[heat.source]]
+port = "rub-into-shaft"
+times = [0]
+values = ["{WATTS} W"]
+''', {"shaft": 'node = "shaft"'})
+            rises[length] = rise["shaft"], self.rod(length, h)
+        for length, (rise, exact) in rises.items():
+            self.assertAlmostEqual(rise / exact, 1, delta=0.02, msg=f"lump of {length} m")
+
+    def rod(self, length, h):
+        """Mean rise over the lump of a uniform rod from the rotor's end to half-way between the bearings, by finite differences."""
+        rotor = json.loads((self.folder / "neisi2019-rotor.json").read_text())
+        here, there = (next(node["x"] for node in rotor["nodes"] if node["id"] == number) for number in (2, 28))
+        end = 0.5 * (here + there)
+        n = 4000
+        x = (numpy.arange(n) + 0.5) * end / n
+        dx, A = end / n, math.pi * D**2 / 4
+        q = numpy.where(abs(x - here) < length / 2, 1.0, 0.0)
+        q *= WATTS / q.sum()
+        g = K * A / dx
+        diagonal = numpy.full(n, 2 * g + h * math.pi * D * dx)
+        diagonal[[0, -1]] -= g
+        # Thomas' algorithm
+        c, d = numpy.empty(n), numpy.empty(n)
+        c[0], d[0] = -g / diagonal[0], q[0] / diagonal[0]
+        for i in range(1, n):
+            pivot = diagonal[i] + g * c[i - 1]
+            c[i], d[i] = -g / pivot, (q[i] + g * d[i - 1]) / pivot
+        T = numpy.empty(n)
+        T[-1] = d[-1]
+        for i in range(n - 2, -1, -1):
+            T[i] = d[i] - c[i] * T[i + 1]
+        return T[q > 0].mean()
+
+    def test_a_meshed_shaft_grows_by_its_own_material(self):
+        growth = {}
+        for alpha in ("11.8e-6", "20e-6"):
+            self.write("drop.toml", f'''base = "reference.toml"
+[run]
+end_time = "12 ms"
+[bearings.TB1]
+journal = "own"
+[materials]
+own = {{ E = 2.0e11, nu = 0.3, alpha = {alpha}, k = {K}, c = 510, rho = 7800 }}
+[thermal]
+models = ["lumped", "fe"]
+expansion = "elastic"
+driver = "none"
+[thermal.fe]
+shaft = "bearing"
+''')
+            self.succeed("run", "drop.toml", "-o", "out", "--quiet", "--force")
+            with h5py.File(self.folder / "out/results.h5") as file:
+                growth[alpha] = {name: file[f"growth/fe/{name}"][-1] for name in ("TB1", "TB2")}
+        self.assertGreater(growth["20e-6"]["TB1"][0], 1e-9, "m")
+        self.assertAlmostEqual(growth["20e-6"]["TB1"][0] / growth["11.8e-6"]["TB1"][0], 20 / 11.8, delta=1e-6, msg="the motion is the same, growth drives nothing")
+        self.assertAlmostEqual(growth["20e-6"]["TB1"][1] / growth["11.8e-6"]["TB1"][1], 1, delta=1e-9, msg="the ring is of its own material")
+        self.assertEqual(growth["20e-6"]["TB2"][0], growth["11.8e-6"]["TB2"][0])
 
     def test_of_plain_sections_too(self):
         self.steady("plain", 20)

@@ -32,6 +32,7 @@ BearingSectionData section_data(const MachineParameters& p, const TouchdownParam
   if (fe.shaft != FeShaft::lump) {
     d.shaft_radius = bore_radius(b, p.contact) - air_gap(b, p.contact);
     d.shaft_length = b.shaft_lump_length.value_or(b.width);
+    d.shaft_bore_radius = shaft_bore_radius(p, b);
     if (fe.shaft == FeShaft::beyond) d.shaft_steps = shaft_steps(p, b);
   }
   return d;

@@ -14,11 +14,13 @@ namespace {
 
 void add_elastic_growth(const MachineParameters& p, const TouchdownParameters& b, const FiniteElements& elements,
                         FiniteElements::Section& section) {
-  const auto& material = material_of(p, b.ring);
+  const auto material = [](const MaterialParameters& m) {
+    return BearingElasticData::Material{m.E, m.nu, m.rho, m.alpha};
+  };
   const auto kind = b.housing_fit_kind == HousingFit::bonded ? FitKind::bonded : FitKind::frictionless;
   const ElasticProblem problem =
       bearing_elastic_problem(section.problem, section.solver->section_mesh(),
-                              {material.E, material.nu, material.rho, material.alpha, b.housing_fit, kind});
+                              {material(material_of(p, b.ring)), material(shaft_material(p, b)), b.housing_fit, kind});
   section.elastic_solver = elements.make_elastic_solver(problem);
   section.elastic.emplace(*section.elastic_solver, problem, section.problem, section.formula,
                           contact_point_surfaces(b.ball_diameter, b.pitch_diameter, b.contact_angle, b.width),

@@ -70,6 +70,7 @@ ThermalParts build_thermal_models(const MachineParameters& parameters, const Nod
   MachineParameters p = parameters.thermal.resistors.empty() ? with_single_bearing(parameters, bearing) : parameters;
   p.thermal.driver = no_driver;
   p.thermal.contact_conduction = BallConductionModel::fixed;  // there are no loads
+  p.single.heated = bearing;
   p.single.ball_conduction = ball_conduction;
   ThermalParts made;
   for (const auto& entry : p.bearings) {

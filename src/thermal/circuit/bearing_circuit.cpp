@@ -7,6 +7,23 @@
 
 namespace rotordrop {
 
+namespace {
+
+double disc(double diameter) { return 0.25 * std::numbers::pi * diameter * diameter; }
+
+/// From the middle of a shaft, or the bore of a hollow one, to its surface, where it warms evenly [K/W]: the fall over the wall of
+/// r T'' + T' + q r / k = 0 with no flow through the bore, over the heat of all of it. 1/(4 pi k W) of a solid one.
+double middle_to_surface(const BearingCircuitData& b) {
+  const double whole = 1. / (4. * std::numbers::pi * b.shaft.conductivity * b.width);
+  if (b.shaft_bore_radius == 0.) return whole;
+  const double ratio = b.shaft_bore_radius / b.journal_radius, square = ratio * ratio;
+  return whole * (1. + 2. * square * std::log(ratio) / (1. - square));
+}
+
+}  // namespace
+
+double BearingCircuitData::shaft_section() const { return disc(2. * journal_radius) - disc(2. * shaft_bore_radius); }
+
 CircuitResistances circuit_resistances(const BearingCircuitData& b) {
   using std::numbers::pi;
   const double k = b.ring.conductivity, k_b = b.ball.conductivity, W = b.width, Z = b.n_balls,
@@ -14,8 +31,8 @@ CircuitResistances circuit_resistances(const BearingCircuitData& b) {
   const double d_mi = 0.5 * (b.inner_bore + b.inner_outside), d_om = 0.5 * (b.outer_bore + b.outer_outside),
                d_hm = 0.5 * (b.housing_bore + b.housing_outside);
   CircuitResistances R;
-  R.R1 = 1. / (b.h_shaft * pi * d_s * W);
-  R.R2 = 1. / (4. * pi * b.shaft.conductivity * W);  // centre to surface
+  R.R1 = 1. / (b.h_shaft * pi * d_s * b.shaft_length);
+  R.R2 = middle_to_surface(b);
   R.R3 = std::log(d_mi / d_s) / (2. * pi * k * W);
   R.R4 = std::log(b.inner_outside / d_mi) / (2. * pi * k * W);
   R.R5_inside = 2. / (pi * k_b * b.ball_diameter * Z);
@@ -52,13 +69,12 @@ void add_bearing_circuit(const BearingCircuitData& b, ThermalNetworkData& networ
                     co = name("outer_contact"), o = name("outer_ring"), h = name("housing");
   const std::size_t place = network.places.size();
 
-  const double W = b.width, d_s = 2. * b.journal_radius, Z = b.n_balls;
-  const auto disc = [](double diameter) { return 0.25 * pi * diameter * diameter; };
+  const double W = b.width, Z = b.n_balls;
   const auto sleeve = [&](double inside, double outside) { return disc(outside) - disc(inside); };
 
   const CircuitFactors& f = b.factors;
   const double volumetric = b.ring.volumetric_capacity();
-  const double C_s = b.shaft.volumetric_capacity() * disc(d_s) * b.shaft_length;
+  const double C_s = b.shaft.volumetric_capacity() * b.shaft_section() * b.shaft_length;
   const double C_i = f.inner_ring_capacity * b.ring_mass * b.ring.heat_capacity;
   const double C_b = Z * pi / 6. * std::pow(b.ball_diameter, 3) * b.ball.volumetric_capacity();
   const double C_o = f.outer_ring_capacity * volumetric * sleeve(b.outer_bore, b.outer_outside) * W;
@@ -86,9 +102,10 @@ void add_bearing_circuit(const BearingCircuitData& b, ThermalNetworkData& networ
     network.resistors.push_back({s, i, R23, Law::contact, 0., R23 + b.gap_resistance, place});
   join(i, ci, f.inner_race * (R.R4 + R.R4_spreading));
   if (b.ball_conduction) {
-    join(ci, ball, f.ball / b.ball_conduction->inner_to_ball);
-    join(ball, co, f.ball / b.ball_conduction->outer_to_ball);
-    if (b.ball_conduction->inner_to_outer > 0.) join(ci, co, f.ball / b.ball_conduction->inner_to_outer);
+    join(ci, ball,
+         1. / b.ball_conduction->inner_to_ball);  // as stated: the calibration's factor is on what is computed
+    join(ball, co, 1. / b.ball_conduction->outer_to_ball);
+    if (b.ball_conduction->inner_to_outer > 0.) join(ci, co, 1. / b.ball_conduction->inner_to_outer);
   } else if (!b.balls_roll) {
     join(ci, ball, f.ball * R5);
     join(ball, co, f.ball * R5);

@@ -37,6 +37,7 @@ struct BearingCircuitData {
   double housing_bore = 0, housing_outside = 0;   ///< [m]
   double housing_length = 0;                      ///< L_h, all rows [m]
   double shaft_length = 0;                        ///< of the lump of shaft [m]
+  double shaft_bore_radius = 0;                   ///< of a hollow shaft [m]
   int n_balls = 0;                                ///< of all rows
   double ball_diameter = 0;                       ///< [m]
   double h_shaft = 0, h_ball = 0;                 ///< convection [W/(m^2 K)]
@@ -59,13 +60,14 @@ struct BearingCircuitData {
   std::vector<FinNode> fins;  ///< shaft beside the bearing, both sides; none: the shaft ends with its lump
   /// Shaft beside the bearing for the finite elements that mesh it, both sides, from the bearing outwards. The circuit has its fins.
   std::vector<ShaftStep> shaft_steps;
-  CircuitFactors factors;  ///< calibration
+  CircuitFactors factors;                      ///< calibration
+  [[nodiscard]] double shaft_section() const;  ///< of the lump of shaft across the axis [m^2]
 };
 
 /// The circuit's resistances [K/W], the constant ones; R5 and R8 in their parts.
 struct CircuitResistances {
   double R1 = 0;  ///< shaft to ambient
-  double R2 = 0;  ///< shaft's centre to its surface
+  double R2 = 0;  ///< shaft's centre, or the bore of a hollow one, to its surface
   double
       R3 = 0,
       R4 = 0;  ///< inner ring: journal to the middle of its wall, and on to its outside; R4 under strips: half the wall

@@ -32,7 +32,7 @@ std::vector<LumpedBody> lumped_bodies(const BearingCircuitData& b) {
   };
   const double housing_film = housing_convection(1.) * pi * b.housing_outside * b.housing_length;
   return {
-      body("shaft", b.shaft, 0.5 * d_s, 1. / R.R1 + 1. / (R.R3 + gap), pi * d_s * W),
+      body("shaft", b.shaft, b.journal_radius - b.shaft_bore_radius, 1. / R.R1 + 1. / (R.R3 + gap), pi * d_s * W),
       body("inner_ring", b.ring, 0.5 * (b.inner_outside - b.inner_bore), 1. / (R.R2 + gap) + 1. / R5,
            pi * b.inner_bore * W),
       body("ball", b.ball, 0.5 * b.ball_diameter, 2. / R.R5_constriction + 1. / R.R6,

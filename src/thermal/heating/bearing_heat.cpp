@@ -98,7 +98,8 @@ HeatConductionProblem bearing_heat_problem(const BearingCircuitData& b, const Se
                                   body("outer_ring", b.width, b.outer_bore, b.outer_outside, b.ring),
                                   body("housing", b.housing_length, b.outer_outside, b.housing_outside, b.ring)};
   const bool has_steps = settings.shaft_is_meshed && !b.shaft_steps.empty();
-  if (settings.shaft_is_meshed) bodies.push_back(body("shaft", b.shaft_length, 0., 2. * b.journal_radius, b.shaft));
+  if (settings.shaft_is_meshed)
+    bodies.push_back(body("shaft", b.shaft_length, 2. * b.shaft_bore_radius, 2. * b.journal_radius, b.shaft));
   if (has_steps)
     for (const auto& step : b.shaft_steps)
       bodies.push_back(body(step.name, {step.from, step.to}, {step.inside, step.outside}, b.shaft));
@@ -120,8 +121,7 @@ HeatConductionProblem bearing_heat_problem(const BearingCircuitData& b, const Se
   if (settings.shaft_is_meshed) {
     shaft.boundaries = {{body_index(p.bodies, "shaft"), HeatSide::outer}};
   } else {
-    const double section = 0.25 * pi * 4. * b.journal_radius * b.journal_radius;
-    p.nodes.push_back({"shaft", section * b.shaft_length * b.shaft.volumetric_capacity()});
+    p.nodes.push_back({"shaft", b.shaft_section() * b.shaft_length * b.shaft.volumetric_capacity()});
     shaft.node = 1;
   }
   p.ports = {{"bore", {{inner, HeatSide::inner}}},

@@ -59,9 +59,11 @@ ElasticProblem bearing_elastic_problem(const HeatConductionProblem& heat, const 
   p.mesh = mesh;
   p.numerics = heat.numerics;
   p.reference_temperature = heat.initial_temperature;
-  for (const auto& body : heat.bodies)
-    p.bodies.push_back({body.name, body.x, body.r, d.density, d.E, d.nu, PropertyTable(d.expansion),
+  for (const auto& body : heat.bodies) {
+    const auto& m = body.name.starts_with("shaft") ? d.shaft : d.ring;
+    p.bodies.push_back({body.name, body.x, body.r, m.density, m.E, m.nu, PropertyTable(m.expansion),
                         body.name == "inner_ring" ? 1. : 0.});
+  }
   const std::size_t inner = body_index(heat.bodies, "inner_ring"), outer = body_index(heat.bodies, "outer_ring"),
                     housing = body_index(heat.bodies, "housing"), shaft = body_index(heat.bodies, "shaft");
   p.fits = {{"outer ring in housing",

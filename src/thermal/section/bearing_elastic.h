@@ -14,8 +14,12 @@ namespace rotordrop {
 
 /// What elasticity needs to know of a bearing beyond its heat problem.
 struct BearingElasticData {
-  double E = 0, nu = 0, density = 0, expansion = 0;  ///< of rings, housing and shaft
-  double housing_interference = 0;                   ///< by radius [m]
+  struct Material {
+    double E = 0, nu = 0, density = 0, expansion = 0;  ///< [Pa], [-], [kg/m^3], [1/K]
+  };
+  Material ring;                    ///< of rings and housing
+  Material shaft;                   ///< of a meshed shaft, under the bearing and beside it
+  double housing_interference = 0;  ///< by radius [m]
   FitKind housing_fit = FitKind::frictionless;
 };
 

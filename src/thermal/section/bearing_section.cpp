@@ -342,7 +342,8 @@ SectionPlan plan_bearing_section(const BearingSectionData& d, const SectionSizes
       {{0.5 * d.outer_outside, 0.5 * d.housing_outside, graded(housing_wall, at_fit, sizes.growth, sizes.largest)}},
       builder);
   if (has_shaft)
-    add_shaft(d.shaft_radius, columns_over(inner_profile, half_shaft, sizes), d.shaft_steps, sizes, builder);
+    add_shaft(d.shaft_bore_radius, d.shaft_radius, columns_over(inner_profile, half_shaft, sizes), d.shaft_steps, sizes,
+              builder);
   return std::move(builder.plan);
 }
 

@@ -33,6 +33,7 @@ struct BearingSectionData {
   /// Spindle bearings have the outer ring's open on one side, so that balls and cage go in; 0.4 is an estimate from drawings.
   double inner_relief = 1, outer_relief = 0.4;
   double shaft_radius = 0, shaft_length = 0;  ///< [m]; 0: the shaft is not meshed
+  double shaft_bore_radius = 0;               ///< of a hollow shaft [m]
   std::vector<ShaftStep> shaft_steps;         ///< shaft beside the bearing, from it outwards; of a meshed shaft
 };
 

@@ -7,10 +7,10 @@ namespace rotordrop {
 namespace {
 
 /// Layers between all radii of shaft and steps. Cells are thin at the heated surface and grow away from it.
-std::vector<Layer> layers_of(double radius, const std::vector<ShaftStep>& steps, const CellSizes& sizes) {
+std::vector<Layer> layers_of(double bore, double radius, const std::vector<ShaftStep>& steps, const CellSizes& sizes) {
   // Deep in the shaft nothing changes fast: its cells may become larger than the rings'.
   const double largest = 3. * sizes.largest;
-  std::vector<double> cuts = {0., radius};
+  std::vector<double> cuts = {bore, radius};
   for (const auto& step : steps) cuts.insert(cuts.end(), {step.inside, step.outside});
   std::sort(cuts.begin(), cuts.end());
   cuts.erase(std::unique(cuts.begin(), cuts.end(), [](double a, double b) { return b - a < same_place; }), cuts.end());
@@ -42,10 +42,10 @@ std::vector<Layer> between(const std::vector<Layer>& layers, double inside, doub
 
 }  // namespace
 
-void add_shaft(double radius, const Columns& columns, const std::vector<ShaftStep>& steps, const CellSizes& sizes,
-               SectionBuilder& builder) {
-  const auto layers = layers_of(radius, steps, sizes);
-  add_rectangle("shaft", columns, between(layers, 0., radius), builder);
+void add_shaft(double bore, double radius, const Columns& columns, const std::vector<ShaftStep>& steps,
+               const CellSizes& sizes, SectionBuilder& builder) {
+  const auto layers = layers_of(bore, radius, steps, sizes);
+  add_rectangle("shaft", columns, between(layers, bore, radius), builder);
   const double largest = 5. * sizes.largest;
   double cell = 0.;
   for (const auto& step : steps) {

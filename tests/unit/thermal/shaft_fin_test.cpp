@@ -19,7 +19,8 @@ namespace {
 using std::numbers::pi;
 constexpr double k = 46., rho_c = 7800. * 470., d = 70e-3, h = 50., ambient = 293.15;
 
-FinPiece piece(double length) { return {length, 0.25 * pi * d * d, pi * d}; }
+FinBar bar(double length, double diameter) { return {length, 0.25 * pi * diameter * diameter, pi * diameter}; }
+FinPiece piece(double length) { return {{bar(length, d)}}; }
 
 std::vector<FinNode> fin(double length, double convection) {
   std::vector<FinPiece> pieces;
@@ -42,6 +43,28 @@ TEST(ShaftFin, ConductsWhatTheClosedFormSays) {
   double sum = 0.;
   for (const auto& node : fin(0.4, h)) sum += node.capacity;
   EXPECT_NEAR(sum, rho_c * 0.25 * pi * d * d * 0.4, 1e-9) << "J/K, whole";
+}
+
+TEST(ShaftFin, ConductsOverStepsOfDiameterAsItsBarsDo) {
+  // A neck, a collar and a long rest, in one piece and one by one: the same steady heat, by bars that are put in front of each other.
+  const std::vector<FinBar> bars = {bar(0.02, 30e-3), bar(0.015, 110e-3), bar(0.25, 70e-3)};
+  double G = 0.;  // of what lies behind
+  for (std::size_t i = bars.size(); i-- > 0;) {
+    const double s = std::sqrt(h * bars[i].perimeter * k * bars[i].section);
+    const double tangent = std::tanh(bars[i].length * std::sqrt(h * bars[i].perimeter / (k * bars[i].section)));
+    G = (G + s * tangent) / (1. + G * tangent / s);  // Carslaw & Jaeger: a bar with a load at its end
+  }
+  const auto one_by_one = fin_nodes("right", {{{bars[0]}}, {{bars[1]}}, {{bars[2]}}}, 0., h, k, rho_c);
+  const auto together = fin_nodes("right", {{bars}}, 0., h, k, rho_c);
+  ASSERT_EQ(together.size(), 1u);
+  EXPECT_NEAR(steady_conductance(one_by_one) / G, 1., 1e-12);
+  EXPECT_NEAR(steady_conductance(together) / G, 1., 1e-12);
+  double volume = 0.;
+  for (const auto& one : bars) volume += one.section * one.length;
+  EXPECT_NEAR(together[0].capacity, rho_c * volume, 1e-9) << "J/K";
+  // Under a mean section instead, the neck would hardly count.
+  const auto mean = fin_nodes("right", {{{{0.285, volume / 0.285, pi * d}}}}, 0., h, k, rho_c);
+  EXPECT_GT(steady_conductance(mean) / G, 1.2);
 }
 
 TEST(ShaftFin, TakesHeatInTimeLikeAHalfSpace) {
