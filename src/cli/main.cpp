@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <algorithm>
 #include <cerrno>
 #include <csignal>
 #include <cstdio>
@@ -24,6 +23,7 @@
 #include "cli/completion.h"
 #include "cli/mistakes.h"
 #include "cli/no_memory.h"
+#include "cli/option_values.h"
 #include "cli/study_commands.h"
 #include "io/read_files.h"
 #include "study/heat/heat_run.h"
@@ -53,27 +53,6 @@ void add_strict(CLI::App& command, bool& strict) {
 }
 
 void add_quiet(CLI::App& command, bool& quiet) { command.add_flag("--quiet", quiet, "Print only warnings and errors"); }
-
-/// An empty name is most often a shell's variable that was never set, a line break in one a slip of quotes.
-CLI::Validator is_name() {
-  return CLI::Validator(
-      [](std::string& word) {
-        const auto is_control = [](unsigned char c) { return c < 0x20 || c == 0x7f; };
-        if (word.empty()) return "the name is empty";
-        return std::any_of(word.begin(), word.end(), is_control)
-                   ? "the name holds a control character, such as a line break"
-                   : "";
-      },
-      "");
-}
-
-/// Options and arguments that name files or folders, by what help and completion call them.
-std::vector<std::pair<std::string, std::string>> types_of_paths(const std::string& command) {
-  const bool has_folder = command == "run" || command == "rerun" || command == "heat" || command == "preload";
-  return {{"case", "CASE"},    {"directory", "DIR"}, {"results", command == "rerun" ? "FILE" : "DIR"},
-          {"against", "DIR"},  {"measured", "FILE"}, {"shapes", "FILE"},
-          {"diagram", "FILE"}, {"from", "FILE"},     {"output", has_folder ? "DIR" : "FILE"}};
-}
 
 /// Declarations of all keys that some command takes with --set.
 std::vector<rotordrop::ErasedSection> sections_of_keys() {
@@ -260,10 +239,7 @@ int run_program(int argc, char** argv) {
   manual->add_option("topic", topic, "A command, or \"case\" for the parameters; default: the program")
       ->type_name("TOPIC");
 
-  for (auto* command : app.get_subcommands([](CLI::App*) { return true; }))
-    for (auto* option : command->get_options())
-      for (const auto& [name, type] : types_of_paths(command->get_name()))
-        if (option->get_single_name() == name) option->type_name(type)->check(is_name());
+  add_checks_of_values(app);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

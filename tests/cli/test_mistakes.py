@@ -79,6 +79,20 @@ class Mistakes(ProgramTest):
         for value in ("run.initial_speed='8000 rpm'", "run.initial_speed=8000 rpm", "rotor.initial_offset=[\"1 um\", \"2 um\"]", "run.initial_speed = 8000 rpm"):
             self.succeed("check", "reference.toml", "--set", value)
 
+    def test_an_empty_value_is_not_a_default(self):
+        """"$SPEED" of a script whose variable was never set."""
+        for command, options in (("critical-speeds", ("--stiffness", "--up-to", "--map")), ("modes", ("--speeds", "--modes")), ("calibrate", ("--until",)),
+                                 ("compare", ("--times", "--tolerance", "--floor", "--growth-tolerance", "--band-length")), ("mesh", ("--bearing", "--format")),
+                                 ("statics", ("--bearing",)), ("preload", ("--bearing",)), ("study", ("--shard", "--jobs"))):
+            for option in options:
+                for value in ("", " "):
+                    message = self.refused(command, "reference.toml", option, value)
+                    self.assertIn(f"error: {command}: {option}: the value is empty; write one, or leave the option out.\n", message)
+        self.assertIn("--output: the name is empty", self.refused("study", "report", "there", "-o", ""))
+        self.assertIn("--point: the value is empty.", self.refused("study", "rerun", "there", "--point", ""))
+        self.assertIn("directories: the name is empty", self.refused("study", "join", "", "-o", "there"))
+        self.assertIn("--set", self.refused("check", "reference.toml", "--set", ""))
+
 
 if __name__ == "__main__":
     unittest.main()
