@@ -93,6 +93,16 @@ class Mistakes(ProgramTest):
         self.assertIn("directories: the name is empty", self.refused("study", "join", "", "-o", "there"))
         self.assertIn("--set", self.refused("check", "reference.toml", "--set", ""))
 
+    def test_one_unit_behind_several_numbers(self):
+        """As if it were of all of them: "0,5,10 krpm" must not be 5 rad/s."""
+        for command, option, value, meant in (("critical-speeds", "--map", "1, 1000 N/um", "1 N/um, 1000 N/um"), ("modes", "--speeds", "0,5,10 krpm", "0, 5 krpm, 10 krpm"),
+                                              ("modes", "--speeds", "1 rad/s,5,10 rpm,20", "1 rad/s, 5 rpm, 10 rpm, 20 rpm"),
+                                              ("compare", "--times", "1,10,100 ms", "1 ms, 10 ms, 100 ms")):
+            message = self.refused(command, "reference.toml", option, value)
+            self.assertIn("no unit, but other entries of the list have one", message)
+            self.assertIn(f"Write it as: {option} '{meant}'\n", message)
+        self.succeed("modes", "reference.toml", "--speeds", "0, 5 krpm, 10 krpm")
+
 
 if __name__ == "__main__":
     unittest.main()

@@ -91,8 +91,10 @@ class Modes(ProgramTest):
         numpy.testing.assert_allclose([speed["speed"] for speed in report["speeds"]], [0, 15200 * RPM])
 
     def test_speeds_may_have_any_unit_of_angular_speed(self):
-        report = self.modes("reference.toml", speeds="100 rad/s, 1000 rpm,  60 deg/s,50")
-        numpy.testing.assert_allclose([speed["speed"] for speed in report["speeds"]], [100, 1000 * RPM, math.pi / 3, 50])
+        report = self.modes("reference.toml", speeds="100 rad/s, 1000 rpm,  60 deg/s,0")
+        numpy.testing.assert_allclose([speed["speed"] for speed in report["speeds"]], [100, 1000 * RPM, math.pi / 3, 0])
+        report = self.modes("reference.toml", speeds="0,50,100")
+        numpy.testing.assert_allclose([speed["speed"] for speed in report["speeds"]], [0, 50, 100])
 
     def test_as_many_modes_as_asked_for(self):
         for speed in self.modes("reference.toml", "--modes", "3")["speeds"]:

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "base/errors.h"
+#include "base/quantity_list.h"
 #include "base/trimmed.h"
 #include "base/units.h"
 
@@ -52,12 +53,9 @@ double parse_band_length(const std::string& text, const std::string& option) {
 }
 
 std::vector<double> parse_instants(const std::string& text) {
-  std::vector<double> instants;
-  for (std::size_t from = 0; from <= text.size();) {
-    const std::size_t comma = std::min(text.find(',', from), text.size());
-    instants.push_back(positive_si(text.substr(from, comma - from), "s", QuantityKind::plain, "--times", "a time"));
-    from = comma + 1;
-  }
+  const auto instants = quantities_in(text, "--times", "s", QuantityKind::plain, "a time");
+  if (!std::all_of(instants.begin(), instants.end(), [](double time) { return time > 0.; }))
+    throw InputError({"--times", 0, 0}, fmt::format("\"{}\": every time must be above zero", text));
   return instants;
 }
 

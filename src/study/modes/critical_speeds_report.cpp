@@ -6,6 +6,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "base/quantity_list.h"
 #include "base/rotation.h"
 #include "base/units.h"
 
@@ -21,12 +22,12 @@ double positive_quantity(const std::string& text, const char* option, const std:
 }
 
 std::vector<double> map_of(const std::string& text) {
-  const auto comma = text.find(',');
-  if (comma == std::string::npos)
-    throw InputError({"--map", 0, 0}, fmt::format("\"{}\" is no range of stiffness.", text),
+  const auto ends = quantities_in(text, "--map", "N/m", QuantityKind::plain, "a stiffness");
+  if (ends.size() != 2)
+    throw InputError({"--map", 0, 0}, fmt::format("\"{}\" is not a range of stiffness: its two ends are needed.", text),
                      "Write it as: --map '1e6 N/m, 1e9 N/m'");
-  const double from = positive_quantity(text.substr(0, comma), "--map", "N/m", QuantityKind::plain, "a stiffness");
-  const double to = positive_quantity(text.substr(comma + 1), "--map", "N/m", QuantityKind::plain, "a stiffness");
+  const double from = ends[0], to = ends[1];
+  if (!(from > 0.)) throw InputError({"--map", 0, 0}, "a stiffness must be larger than 0.");
   if (!(to > from))
     throw InputError({"--map", 0, 0}, "the second stiffness is not larger than the first.", "Exchange them.");
   std::vector<double> stiffness;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "base/quantity_list.h"
 #include "base/rotation.h"
 #include "io/checkpoint.h"
 #include "io/hdf5/recorded_series.h"
@@ -18,23 +19,12 @@ std::size_t shown(const WhirlModes& modes, std::size_t n_modes) { return std::mi
 }  // namespace
 
 std::vector<double> parse_speeds(const std::string& text) {
-  std::vector<double> speeds;
-  Faults faults;
-  for (std::size_t from = 0; from <= text.size();) {
-    const std::size_t comma = std::min(text.find(',', from), text.size());
-    const auto speed = convert_to_si(text.substr(from, comma - from), "rad/s", QuantityKind::angular_speed, "a speed");
-    if (speed)
-      speeds.push_back(speed.value);
-    else
-      faults.add({"--speeds", 0, 0}, speed.error, speed.advice);
-    from = comma + 1;
-  }
+  const auto speeds = quantities_in(text, "--speeds", "rad/s", QuantityKind::angular_speed, "a speed");
   constexpr std::size_t most_speeds = 1000;  // of modes with all nodes: some minutes
   if (speeds.size() > most_speeds)
-    faults.add({"--speeds", 0, 0},
-               fmt::format("these are {} speeds; at most {} are taken.", speeds.size(), most_speeds),
-               "For a Campbell diagram use `rotordrop critical-speeds --up-to SPEED --diagram FILE`.");
-  faults.throw_if_any();
+    throw InputError({"--speeds", 0, 0},
+                     fmt::format("these are {} speeds; at most {} are taken.", speeds.size(), most_speeds),
+                     "For a Campbell diagram use `rotordrop critical-speeds --up-to SPEED --diagram FILE`.");
   return speeds;
 }
 

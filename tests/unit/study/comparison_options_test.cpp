@@ -28,7 +28,9 @@ TEST(ComparisonOptions, RefuseWhatIsNone) {
 }
 
 TEST(ComparisonOptions, TakeSeveralInstants) {
-  EXPECT_THAT(parse_instants("10 ms, 0.05"), testing::ElementsAre(testing::DoubleEq(0.01), testing::DoubleEq(0.05)));
+  EXPECT_THAT(parse_instants("10 ms, 50 ms"), testing::ElementsAre(testing::DoubleEq(0.01), testing::DoubleEq(0.05)));
+  EXPECT_THAT(parse_instants("0.01, 0.05"), testing::ElementsAre(testing::DoubleEq(0.01), testing::DoubleEq(0.05)));
+  EXPECT_THROW(parse_instants("10 ms, 0.05"), InputError);
   EXPECT_DOUBLE_EQ(parse_length("0.2 um", "x"), 2e-7);
 }
 
