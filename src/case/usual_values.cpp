@@ -47,6 +47,31 @@ class Look {
       if (const Node* given = table.find(d.key)) at(d, *given, path.empty() ? d.key : path + "." + d.key);
   }
 
+  void at_number(const Declaration& d, const Node& given, const std::string& name) {
+    if (d.usual.is_any()) return;
+    const bool is_bare = given.is_number();
+    double value = 0.;
+    if (is_bare)
+      value = given.number();
+    else if (const auto read =
+                 given.is_text() ? convert_to_si(given.text(), d.unit, d.quantity_kind, name) : Conversion{})
+      value = read.value;
+    else
+      return;
+    if (d.usual.contains(value)) return;
+    // "90000 rpm" is meant so; the rotor's surface tells whether it can be.
+    constexpr double speed_of_rotors = 1000.;  // [rad/s]
+    if (!is_bare && d.quantity_kind == QuantityKind::angular_speed && d.usual.upper >= speed_of_rotors) return;
+    const std::string unit = is_bare && d.unit != "1" ? " " + d.unit : "";
+    const auto [usual, usual_unit] = is_bare ? std::pair(d.usual, d.unit) : in_unit_of(given.text(), d, value);
+    Fault warning{given.where(),
+                  fmt::format("{}{}{} is unusual: it is most often {}.", name.empty() ? "" : name + " = ",
+                              to_text(given), unit, to_string(usual, usual_unit)),
+                  is_bare && d.unit != "1" ? slip(d, value) : std::string("Check the number and its unit.")};
+    if (std::find(warnings_.begin(), warnings_.end(), warning) == warnings_.end())
+      warnings_.push_back(std::move(warning));
+  }
+
  private:
   void at(const Declaration& d, const Node& given, const std::string& name) {
     using Kind = Declaration::Kind;
@@ -116,31 +141,6 @@ class Look {
       }
   }
 
-  void at_number(const Declaration& d, const Node& given, const std::string& name) {
-    if (d.usual.is_any()) return;
-    const bool is_bare = given.is_number();
-    double value = 0.;
-    if (is_bare)
-      value = given.number();
-    else if (const auto read =
-                 given.is_text() ? convert_to_si(given.text(), d.unit, d.quantity_kind, name) : Conversion{})
-      value = read.value;
-    else
-      return;
-    if (d.usual.contains(value)) return;
-    // "90000 rpm" is meant so; the rotor's surface tells whether it can be.
-    constexpr double speed_of_rotors = 1000.;  // [rad/s]
-    if (!is_bare && d.quantity_kind == QuantityKind::angular_speed && d.usual.upper >= speed_of_rotors) return;
-    const std::string unit = is_bare && d.unit != "1" ? " " + d.unit : "";
-    const auto [usual, usual_unit] = is_bare ? std::pair(d.usual, d.unit) : in_unit_of(given.text(), d, value);
-    Fault warning{given.where(),
-                  fmt::format("{} = {}{} is unusual: it is most often {}.", name, to_text(given), unit,
-                              to_string(usual, usual_unit)),
-                  is_bare && d.unit != "1" ? slip(d, value) : std::string("Check the number and its unit.")};
-    if (std::find(warnings_.begin(), warnings_.end(), warning) == warnings_.end())
-      warnings_.push_back(std::move(warning));
-  }
-
   std::vector<Fault>& warnings_;
 };
 
@@ -148,6 +148,22 @@ class Look {
 
 void look_for_unusual_values(const SectionDeclaration& section, const Node& tree, std::vector<Fault>& warnings) {
   Look(warnings).at(section, tree, section.name);
+}
+
+std::vector<Fault> look_at_option(const std::string& option, const std::string& text, const std::string& unit,
+                                  QuantityKind kind, const Range& usual) {
+  Declaration d;
+  d.key = option;
+  d.kind = Declaration::Kind::quantity;
+  d.unit = unit;
+  d.quantity_kind = kind;
+  d.range = any();
+  d.usual = usual;
+  const SourcePosition where{option, 0, 0};
+  const auto number = bare_number(trimmed(text));
+  std::vector<Fault> warnings;
+  Look(warnings).at_number(d, number ? Node(*number, where) : Node(text, where), "");
+  return warnings;
 }
 
 void look_for_common_keys_without_effect(const Node& tree, std::vector<Fault>& warnings) {

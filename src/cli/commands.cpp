@@ -11,11 +11,13 @@
 #include <unistd.h>
 
 #include "base/errors.h"
+#include "base/trimmed.h"
 #include "base/version.h"
 #include "base/wide_vectors.h"
 #include "case/bearing_mesh.h"
 #include "case/case.h"
 #include "case/new_case.h"
+#include "case/usual_values.h"
 #include "cli/output_files.h"
 #include "cli/signals.h"
 #include "integrate/sundials_version.h"
@@ -41,6 +43,25 @@ ComparisonOptions comparison_options(const CompareCommand& command) {
   if (!command.times.empty()) options.instants = parse_instants(command.times);
   if (!command.band_length.empty()) options.band_length = parse_band_length(command.band_length, "--band-length");
   return options;
+}
+
+/// Bare numbers are SI, and most often are not meant so.
+void warn_of_unusual_options(const CompareCommand& command) {
+  const auto look = [](const char* option, const std::string& text, const char* unit, QuantityKind kind,
+                       const Range& usual) {
+    if (!text.empty()) tell_warnings(look_at_option(option, text, unit, kind, usual));
+  };
+  look("--growth-tolerance", command.growth_tolerance, "m", QuantityKind::plain, between(1e-10, 5e-6));
+  look("--band-length", command.band_length, "m", QuantityKind::plain, between(1e-5, 0.1));  // as its key
+  look("--floor", command.floor, "K", QuantityKind::temperature_difference, between(1e-6, 10.));
+  const auto number = bare_number(trimmed(command.tolerance));
+  if (!number) return;
+  Fault warning;
+  warning.where.file = "--tolerance";
+  warning.message = fmt::format("{0:.6g} has no unit and is taken as {0:.6g} K.", *number);
+  warning.advice = fmt::format("Write \"{:.6g} K\" if that is meant, \"{:.6g} %\" for a part of the rise.", *number,
+                               *number < 1. ? 100. * *number : *number);
+  tell_warnings({warning});
 }
 
 /// What a comparison writes: by its usual name it is written again, by another only with --force. Never over what it reads, nor over what someone else wrote
@@ -167,6 +188,7 @@ int compare_measured_command(const CompareCommand& command) {
 int compare_command(const CompareCommand& command) {
   if (!command.measured.empty()) return compare_measured_command(command);
   const ComparisonOptions options = comparison_options(command);
+  warn_of_unusual_options(command);
   const RecordedDrop drop(command.directory);
   std::optional<RecordedDrop> against;
   if (!command.against.empty()) against.emplace(command.against);

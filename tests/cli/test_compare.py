@@ -155,6 +155,18 @@ class Lumped(ProgramTest):
                 words = [f"{option}={value}"] if option.startswith("--") else [option, value]
                 self.assertIn(says, self.refused("a", "--against", "b", *words))
 
+    def test_bare_numbers_that_are_unusual_are_told_with_what_may_be_meant(self):
+        for option, value, says in (("--growth-tolerance", "0.1", '0.1 m is unusual: it is most often between 1e-10 and 5e-06 m.|If um is meant, write "0.1 um".'),
+                                    ("--band-length", "5.9", '5.9 m is unusual|If mm is meant, write "5.9 mm".'), ("--band-length", "5.9 m", "5.9 m is unusual|Check the number and its unit."),
+                                    ("--floor", "50", "50 K is unusual"), ("--tolerance", "0.05", '0.05 K|"5 %"'), ("--tolerance", "5", '"5 K"|"5 %"')):
+            with self.subTest(option=option, value=value):
+                message = self.succeed("compare", "a", "--against", "b", "--quiet", option, value).stderr
+                self.assertTrue(message.startswith(f"warning: {option}: "), message)
+                for words in says.split("|"):
+                    self.assertIn(words, message)
+        for option, value in (("--growth-tolerance", "1e-7"), ("--band-length", "0.003"), ("--floor", "0.01"), ("--tolerance", "5 %"), ("--tolerance", "2 mK")):
+            self.assertEqual(self.succeed("compare", "a", "--against", "b", "--quiet", option, value).stderr, "")
+
     def test_a_mistyped_option_is_named_with_the_right_one(self):
         message = self.refused("a", "--agianst", "b")
         self.assertIn("Did you mean --against?", message)
