@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 #include <cstdint>
 #include <limits>
 
@@ -66,9 +67,14 @@ std::optional<double> read_quantity(const Node& node, const Declaration& d, cons
 
 std::optional<int> read_integer(const Node& node, const Declaration& d, const std::string& name, Faults& faults) {
   if (!node.is(Node::Kind::integer)) {
-    const std::string given = node.is(Node::Kind::real) ? fmt::format("= {}", to_text(node)) : "is " + kind_name(node);
-    faults.add(node.where(), fmt::format("{} {}; it must be an integer{}.", name, given,
-                                         d.range.is_any() ? "" : " " + to_string(d.range)));
+    const bool is_real = node.is(Node::Kind::real),
+               is_whole = is_real && std::fabs(node.number()) < 1e9 && node.number() == std::trunc(node.number());
+    std::string given = is_real ? "= " + to_text(node) : "is " + kind_name(node);
+    if (is_whole && given.find_first_of(".e") == std::string::npos) given += ".0";  // else nobody sees what is wrong
+    faults.add(
+        node.where(),
+        fmt::format("{} {}; it must be an integer{}.", name, given, d.range.is_any() ? "" : " " + to_string(d.range)),
+        is_whole ? fmt::format("Write {:.0f}, without a decimal point.", node.number()) : "");
     return {};
   }
   const std::int64_t value = node.integer();

@@ -280,6 +280,8 @@ TEST(Parameters, AValueOfAnotherTypeIsAFault) {
   EXPECT_THAT(faults_with("gap", Node::table()), HasSubstr("all.gap is a table"));
   EXPECT_THAT(faults_with("static_friction", "true"), HasSubstr("\"true\" is not a number"));
   EXPECT_THAT(faults_with("rows", 2.5), HasSubstr("all.rows = 2.5; it must be an integer between 1 and 2."));
+  EXPECT_THAT(faults_with("rows", 2.),
+              HasSubstr("all.rows = 2.0; it must be an integer between 1 and 2.\n       Write 2, "));
   EXPECT_THAT(faults_with("rows", "2"), HasSubstr("all.rows is a text; it must be an integer"));
   EXPECT_THAT(faults_with("is_dry", "true"), HasSubstr("true or false, without quotes"));
   EXPECT_THAT(faults_with("is_dry", 1), HasSubstr("all.is_dry is an integer"));
