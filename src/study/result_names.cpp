@@ -155,6 +155,8 @@ constexpr std::array rules{
     Rule{"run.completed", "1", "whether the run came to its end"},
     Rule{"accepted", "1", "whether all limits of the case are met"},
     Rule{"run.warnings", "1", "number of warnings of the run"},
+    Rule{"run.wall_time", "s", "time that the run took"},
+    Rule{"run.cpu_time", "s", "computing time of the run"},
     Rule{"run.steps", "1", "steps of the time integration"},
     Rule{"run.rhs_evaluations", "1", "right-hand sides of the time integration"},
     Rule{"run.rejected_steps", "1", "rejected steps of the time integration"},
