@@ -3,6 +3,7 @@
 import os
 import pathlib
 import shutil
+import signal
 import sys
 import time
 import unittest
@@ -130,6 +131,27 @@ class Matlab(PackageTest):
         self.assertEqual(at("summary.bearings.TB1.peak_contact_force")[0, 0], result.summary["bearings"]["TB1"]["peak_contact_force"])
         self.assertTrue(np.isnan(at("summary.bearings.TB1.catch_up_time")[0, 0]), "has not happened")
         self.assertTrue(at("ledger.TB1.spin_up_centres").size)
+
+    def test_an_interrupted_run_has_its_summary(self):
+        import scipy.io
+
+        process = start("run", SETTLING, "-o", self.folder / "out", "--quiet", "--set", "run.end_time=1000 s", "--set", "output.interval=1 ms")
+        self.addCleanup(process.communicate)
+        self.addCleanup(process.kill)
+        limit = time.monotonic() + 60
+        while not (self.folder / "out/results.h5").is_file() and time.monotonic() < limit:
+            time.sleep(0.1)
+        live = rd.read(self.folder / "out")
+        live.to_mat(self.folder / "live.mat")
+        self.assertFalse(live.has_summary)
+        self.assertNotIn("summary", scipy.io.loadmat(self.folder / "live.mat", simplify_cells=True)["results"])
+        process.send_signal(signal.SIGINT)
+        process.wait()
+        result = rd.read(self.folder / "out")
+        self.assertFalse(result.completed)
+        result.to_mat(self.folder / "drop.mat")
+        summary = scipy.io.loadmat(self.folder / "drop.mat", simplify_cells=True)["results"]["summary"]
+        self.assertEqual(summary["run"]["end_time"], result.summary["run"]["end_time"])
 
     def test_names_that_look_alike_are_different_fields(self):
         import scipy.io

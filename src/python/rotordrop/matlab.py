@@ -95,6 +95,6 @@ def write(result: Result, file: str | os.PathLike[str]) -> None:
         if one.columns:
             paths.put(columns, name, np.array(one.columns, dtype=object))
     tree["units"], tree["columns"] = units, columns
-    if result.completed:
+    if result.has_summary:
         tree["summary"] = structure(result.summary)
     scipy.io.savemat(os.fspath(file), {"results": tree}, do_compression=True, long_field_names=True, oned_as="column")

@@ -43,7 +43,7 @@ class Result:
 
     case        the Case that ran; None if it was read from a directory
     directory   where its files are; None if it ran in memory
-    completed   it came to its end (else it was interrupted, goes on, or was killed)
+    completed   it came to its end (else it was interrupted, goes on, was killed, or failed)
     notes       what the program said meanwhile
     """
 
@@ -79,11 +79,18 @@ class Result:
     def summary(self) -> dict[str, typing.Any]:
         """Scalars of the drop, as in summary.json (docs/reference/results.md): `summary["bearings"]["TB1"]["peak_contact_force"]` [N].
 
-        FileNotFoundError for the directory of a run that goes on or was killed: it has none yet.
+        Of an interrupted run: until there. FileNotFoundError for the directory of a run that goes on, was killed or has failed: it has none.
         """
         if self._summary is None:
+            if self.directory is not None and (self.directory / "failed").is_dir():
+                raise FileNotFoundError(f"{self.directory} holds no summary.json: the run failed. Its series until then are there, and its last state in the folder failed")
             raise FileNotFoundError(f"{self.directory} holds no summary.json: the run goes on, or was killed. Its series are there; `rotordrop run --resume` continues it")
         return self._summary
+
+    @property
+    def has_summary(self) -> bool:
+        """Whether there is a summary: that of a run that goes on, was killed or has failed is missing."""
+        return self._summary is not None
 
     @functools.cached_property
     def series(self) -> xarray.Dataset:
@@ -161,7 +168,7 @@ class Result:
     def to_mat(self, file: str | os.PathLike[str]) -> None:
         """Writes everything into a file for MATLAB or Octave: `load FILE`, then `results.bearings.TB1.contact_force`.
 
-        Series are columns, of several numbers [rows x numbers], as in Python; `units` has the units by the same names, `summary` the scalars. Needs scipy.
+        Series are columns, of several numbers [rows x numbers], as in Python; `units` has the units by the same names, `summary` the scalars, where there is a summary. Needs scipy.
         """
         from . import matlab
 
