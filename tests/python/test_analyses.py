@@ -143,6 +143,12 @@ class Commands(PackageTest):
         self.assertAlmostEqual(strict["bearings"]["TB1"]["temperatures"]["shaft"]["tolerance"], 0.001)
         times = [at["time"] for at in strict["bearings"]["TB1"]["temperatures"]["shaft"]["at"]]
         self.assertTrue(any(abs(time - 5e-3) < 1e-9 for time in times), times)
+        with self.assertRaisesRegex(rd.InputError, "instants: must be larger than 0 and is -1"):
+            rd.compare(result, instants=["5 ms", -1])
+        with self.assertWarnsRegex(rd.CaseWarning, "instants: 5 s lies beyond the end at 0.01 s") as told:
+            beyond = rd.compare(result, instants=[5.0])
+        self.assertEqual(told.filename, __file__)
+        self.assertEqual([at["instant"] for at in beyond["bearings"]["TB1"]["temperatures"]["shaft"]["at"]], ["first impact's peak", "end"])
         memory = rd.compare(rd.Case(SETTLING, overrides).run())
         self.assertEqual(memory["in_short"], here["in_short"])
         with self.assertRaisesRegex(rd.InputError, "tolerance: must be a text with its unit.*'5 %'.*0.05"):

@@ -106,6 +106,7 @@ class Drop(PackageTest):
         self.assertGreater(len(self.result.frame().columns), 100)
         self.assertIn("bearings.TB2.ball_loads.row 1 ball 1", self.result.frame(time="detail_time").columns)
         scalars = self.result.scalars
+        self.assertEqual(tuple(scalars.loc["run.cpu_time", ["unit", "meaning"]]), ("s", "computing time of the run"))
         row = scalars.loc["bearings.TB1.peak_contact_force"]
         self.assertEqual((row["value"], row["unit"]), (self.result.summary["bearings"]["TB1"]["peak_contact_force"], "N"))
         with self.assertRaisesRegex(KeyError, "no series /bearings/TB3/orbit; there is /bearings/TB1/orbit"):
@@ -329,6 +330,13 @@ class Running(PackageTest):
         with self.assertRaisesRegex(rd.SolverError, "the step is too long for the stiffest contact|is cooled below 0 K|is not a number"):
             case.run()
         self.assertTrue(issubclass(rd.SolverError, RuntimeError))
+        with self.assertRaises(rd.SolverError):
+            case.run(self.folder / "out")
+        failed = rd.read(self.folder / "out")
+        self.assertFalse(failed.completed)
+        with self.assertRaisesRegex(FileNotFoundError, "the run failed") as caught:
+            failed.summary  # noqa: B018
+        self.assertNotIn("goes on", str(caught.exception))
 
 
 if __name__ == "__main__":

@@ -181,7 +181,28 @@ class Faults(PackageTest):
             warnings.simplefilter("error")
             self.assertEqual(rd.Case(SETTLING).warnings, ())
 
+    def test_a_warning_points_at_the_line_that_called_the_package(self):
+        case = rd.Case(SETTLING)
+        with warnings.catch_warnings(record=True) as caught:
+            warnings.simplefilter("always")
+            case.with_overrides({"rotor.unbalance[0].me": "1 kg m"})
+        self.assertEqual({w.filename for w in caught}, {__file__})
+
+    def test_a_whole_number_that_is_no_integer_is_refused_with_the_reason(self):
+        (fault,) = self.faults_of(SETTLING, {"bearings.TB1.node": numpy.float64(2)})
+        self.assertEqual((fault.message, fault.advice), ("bearings.TB1.node = 2.0; it must be an integer >= 1.", "Write 2, without a decimal point."))
+
+    def test_arguments_of_another_kind_are_named(self):
+        case = rd.Case(SETTLING, {"run.end_time": "1 ms"})
+        result = case.run()
+        for wrong, words in ((lambda: case.run(keep=[5]), "keep must be paths of series"), (lambda: result[5], "name of a series must be a text"), (lambda: result.select(5), "name of a series"),
+                             (lambda: rd.add_support(int), "derived from rotordrop.Support"), (lambda: rd.add_thermal_model(5), "derived from rotordrop.ThermalModel"),
+                             (lambda: rd.compare("out"), "drop must be a Result"), (lambda: rd.compare(result, "out"), "against must be a Result"), (lambda: case.preload(drop="out"), "drop must be a Result")):
+            with self.subTest(words), self.assertRaisesRegex(TypeError, words):
+                wrong()
+
     def test_quantities(self):
+        self.assertEqual((rd.si(5, "mm"), rd.si("5 m", "mm"), rd.si("5", "mm")), (5, 5000, 5))
         self.assertAlmostEqual(rd.si("15200 rpm", "rad/s"), 15200 * 3.141592653589793 / 30, delta=1e-9)
         self.assertEqual(rd.si(5, "m"), 5.0)
         with self.assertRaises(rd.InputError) as caught:

@@ -81,7 +81,12 @@ class Studies(PackageTest):
         with self.assertRaises(rd.InputError) as caught:
             rd.study(file, self.folder / "out")
         self.assertIn("no valid case", str(caught.exception))
-
+        with self.assertRaisesRegex(rd.InputError, "directory: is empty"):
+            rd.study(file, "")
+        for damaged in ("", '{"program": "rotordr', "[]", "{}"):
+            (self.folder / "study.json").write_text(damaged)
+            with self.subTest(damaged), self.assertRaisesRegex(rd.InputError, "study.json: this is not what the program wrote"):
+                rd.read_study(self.folder)
 
     def test_overrides_are_what_a_case_takes(self):
         file = self.write(2)

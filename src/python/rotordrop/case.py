@@ -12,7 +12,7 @@ import warnings
 from collections.abc import Callable, Iterable, Mapping, Sequence
 
 from . import _core, modes, preload
-from .errors import CaseWarning, Fault, refused, warn_of
+from .errors import CaseWarning, Fault, refused, require, warn_of
 from .result import Result
 from .units import each_si, positive_si
 
@@ -142,7 +142,9 @@ class Case:
                 raise ValueError("force and resume are about a directory, and none is given")
             if self._case.asks_for_second_opinion:
                 warnings.warn("run.second_opinion: a run in memory gives none; give it a directory", CaseWarning, stacklevel=2)
-            paths = [keep] if isinstance(keep, str) else keep
+            paths = [keep] if isinstance(keep, str) else None if keep is None else list(keep)
+            for path in paths or ():
+                require("keep", path, str, "paths of series, such as \"/bearings/TB1/contact_force\"")
             kept = None if paths is None else {"/" + path.lstrip("/").replace(".", "/") for path in paths}
             return Result(_core.run_in_memory(self._case, kept, told), self)
         if keep is not None:
@@ -200,6 +202,8 @@ class Case:
 
         A bearing without an equilibrium when cold has the verdict "failed" and a message in the report; its maps and the others are there.
         """
+        if drop is not None:
+            require("drop", drop, Result, "a Result, such as rd.read(directory)")
         report, tables = _core.preload(self._case, bearing or "", None if drop is None else drop.recorded)
         return preload.Preload(report, tables)
 

@@ -6,9 +6,9 @@ import typing
 from collections.abc import Sequence
 
 from . import _core
-from .errors import refused
+from .errors import refused, require, warn
 from .result import Result
-from .units import each_si
+from .units import each_si, positive_si
 
 
 def compare(
@@ -28,7 +28,7 @@ def compare(
     floor              smallest tolerance that is a part of the rise, default "10 mK"
     growth_tolerance   of growths and clearances, default "0.1 um"
     band_length        of the rub along the surface, instead of the case's
-    instants           reported beside the first impact's peak and the end [s], default 10 ms
+    instants           reported beside the first impact's peak and the end [s], default 10 ms. CaseWarning for those beyond the end
 
     "in_short" and "verdict" are sentences. InputError if there is nothing to compare, such as series that were not kept.
     """
@@ -38,7 +38,14 @@ def compare(
         _bound(growth_tolerance, "growth_tolerance", "'0.1 um'"),
         _bound(band_length, "band_length", "'5 mm'"),
     )
-    times = None if instants is None else each_si(instants, "s", "instants")
+    for name, one in (("drop", drop), ("against", against)):
+        if name == "drop" or one is not None:
+            require(name, one, Result, "a Result, such as rd.read(directory)")
+    times = None if instants is None else [positive_si(one, "s", "instants") for one in each_si(instants, "s", "instants")]
+    end = min(one.recorded.values("/time", False)[-1] for one in (drop, against) if one is not None)
+    for time in times or ():
+        if time > end:
+            warn(f"instants: {time:g} s lies beyond the end at {end:g} s and is left out")
     return _core.compare(drop.recorded, None if against is None else against.recorded, *bounds, times)
 
 

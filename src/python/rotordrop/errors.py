@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import sys
 import typing
 import warnings
 
@@ -55,6 +56,20 @@ class CaseWarning(UserWarning):
 
 
 def warn_of(faults: typing.Iterable[Fault]) -> None:
-    """Warns the caller's caller of what a case has that is unusual."""
+    """Warns of what a case has that is unusual, at the line that called the package."""
     for fault in faults:
-        warnings.warn(f"{fault.key}: {fault.message} {fault.advice}".strip(), CaseWarning, stacklevel=3)
+        warn(f"{fault.key}: {fault.message} {fault.advice}".strip())
+
+
+def warn(text: str) -> None:
+    """A CaseWarning at the line that called the package."""
+    level, frame = 1, sys._getframe()
+    while frame.f_back is not None and str(frame.f_globals.get("__name__", "")).partition(".")[0] == __package__:
+        level, frame = level + 1, frame.f_back
+    warnings.warn(text, CaseWarning, stacklevel=level)
+
+
+def require(argument: str, value: object, kind: type, what: str) -> None:
+    """TypeError for an argument of another kind. @param what  it must be, such as "a Result, such as rd.read(directory)" """
+    if not isinstance(value, kind):
+        raise TypeError(f"{argument} must be {what}, and is {value!r}")

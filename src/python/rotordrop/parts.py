@@ -184,7 +184,9 @@ S = typing.TypeVar("S", bound=type[Support])
 M = typing.TypeVar("M", bound=type[ThermalModel])
 
 
-def _keys(kind: type[Support] | type[ThermalModel]) -> list[tuple[str, str, float | str | None, str]]:
+def _keys(kind: type[Support] | type[ThermalModel], base: type) -> list[tuple[str, str, float | str | None, str]]:
+    if not (isinstance(kind, type) and issubclass(kind, base)):
+        raise TypeError(f"a class derived from rotordrop.{base.__name__} is needed, and {kind!r} is none")
     if not kind.type:
         raise ValueError(f"{kind.__name__} needs a `type`, by which cases name it")
     return [(key, one.unit, one.default, one.help) for key, one in kind.parameters.items()]
@@ -192,11 +194,13 @@ def _keys(kind: type[Support] | type[ThermalModel]) -> list[tuple[str, str, floa
 
 def add_support(kind: S) -> S:
     """Lets cases name a class derived from Support by its `type`; usable as a decorator. Call it before such a case is read. A class may be replaced by one with the same parameters."""
-    _core.add_support(kind.type, _keys(kind), kind)
+    keys = _keys(kind, Support)
+    _core.add_support(kind.type, keys, kind)
     return kind
 
 
 def add_thermal_model(kind: M) -> M:
     """Lets cases name a class derived from ThermalModel by its `type`; usable as a decorator. Call it before such a case is read. A class may be replaced by one with the same parameters."""
-    _core.add_thermal_model(kind.type, kind.title, _keys(kind), kind)
+    keys = _keys(kind, ThermalModel)
+    _core.add_thermal_model(kind.type, kind.title, keys, kind)
     return kind

@@ -6,6 +6,7 @@ import re
 import typing
 
 from . import _core
+from .errors import require
 
 if typing.TYPE_CHECKING:
     import numpy as np
@@ -24,6 +25,7 @@ def name_of(path: str) -> str:
 
 def path_of(name: str) -> str:
     """The path of a variable; a path stays what it is."""
+    require("the name of a series", name, str, "a text such as \"bearings.TB1.contact_force\"")
     return name if name.startswith("/") else "/" + name.replace(".", "/")
 
 

@@ -11,6 +11,7 @@ import typing
 from collections.abc import Callable, Mapping
 
 from . import _core
+from .errors import InputError, SolverError, refused, warn_of
 
 if typing.TYPE_CHECKING:
     import pandas
@@ -63,7 +64,13 @@ class StudyResult:
         file = self.directory / "study.json"
         if not file.is_file():
             raise FileNotFoundError(f"{self.directory} holds no study.json: give the directory of a study that is complete")
-        return typing.cast(dict[str, typing.Any], json.loads(file.read_text(encoding="utf-8")))
+        try:
+            summary = json.loads(file.read_text(encoding="utf-8"))
+        except ValueError:
+            summary = None
+        if not isinstance(summary, dict) or "program" not in summary:
+            raise InputError(f"error: {file}: this is not what the program wrote.\n       Finish the study once more with resume=True, or run it again.")
+        return typing.cast(dict[str, typing.Any], summary)
 
     @functools.cached_property
     def table(self) -> pandas.DataFrame:
@@ -100,10 +107,10 @@ def study(
 
     What the case has that is allowed but unusual is a CaseWarning. InputError for a wrong study, with the first points that are no valid cases. SolverError if it stopped after a failed drop, as on_failure = "stop" asks.
     """
-    from .errors import SolverError, refused, warn_of
-
     if jobs < 0:
         raise refused("jobs", f"must be at least 0 and is {jobs}")
+    if not os.fspath(directory):
+        raise refused("directory", "is empty; give a name, or \".\" for the working folder")
     told = _core.run_study(pathlib.Path(file), _settings(overrides or {}), pathlib.Path(directory), jobs, force, resume, progress, warn_of)
     if not told["complete"]:
         raise SolverError(f"stopped after a failed drop, for on_failure = \"stop\"; its reason is in {pathlib.Path(directory) / 'study.journal'}")
@@ -111,7 +118,7 @@ def study(
 
 
 def read_study(directory: str | os.PathLike[str]) -> StudyResult:
-    """The result of a complete study from its directory."""
+    """The result of a complete study from its directory. InputError if its study.json is damaged."""
     result = StudyResult(pathlib.Path(directory))
     result.summary  # noqa: B018  says what is missing
     return result

@@ -13,9 +13,9 @@ from .errors import refused
 
 
 def si(quantity: float | str, unit: str, name: str = "quantity") -> float:
-    """A quantity in an SI unit: `si("15200 rpm", "rad/s")` is 1591.74; a number is one already.
+    """A quantity as a number in a unit, most often of SI: `si("15200 rpm", "rad/s")` is 1591.74. A number, and a text without a unit, is in that unit already.
 
-    unit    "m", "N", "rad/s", "K" ...; what is given must have its dimension
+    unit    "m", "N", "rad/s", "K" ..., or another one, such as "mm": `si("5 m", "mm")` is 5000, `si(5, "mm")` is 5; what is given must have its dimension
     name    how an InputError calls it: one is raised for another dimension, for a unit that is not known, and for what is not a finite number
     """
     if not _core.is_unit(unit):
