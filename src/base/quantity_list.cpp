@@ -29,29 +29,21 @@ std::string unit_of(const std::string& entry) {
   return "";
 }
 
-/// @param values  of the entries, which all can be converted
-void refuse_missing_units(const std::vector<std::string>& entries, const std::vector<double>& values,
-                          const std::string& option, const std::string& si_unit) {
-  const auto last = std::find_if(entries.rbegin(), entries.rend(), [](const auto& e) { return !unit_of(e).empty(); });
-  if (last == entries.rend()) return;
-  // A unit behind several numbers most often is of all of them; numbers behind the last unit have that.
-  std::string unit = unit_of(*last);
-  std::vector<std::string> bare, meant = entries;
-  for (std::size_t k = entries.size(); k-- > 0;)
-    if (const auto own = unit_of(entries[k]); !own.empty()) {
-      unit = own;
-    } else if (values[k] != 0.) {
-      bare.insert(bare.begin(), entries[k]);
-      meant[k] += " " + unit;
-    }
-  if (bare.empty()) return;
-  throw InputError(
-      {option, 0, 0},
-      fmt::format("{} {} no unit, but other entries of the list have one.", fmt::join(bare, ", "),
-                  bare.size() == 1 ? "has" : "have"),
-      fmt::format("Write it as: {} '{}'\nA number without a unit is in {}; beside others that have one, only 0 may go "
-                  "without.",
-                  option, fmt::join(meant, ", "), si_unit));
+bool is_zero(const std::string& entry) {
+  const auto number = bare_number(entry);
+  return number && *number == 0.;
+}
+
+/// Entries that have no unit, are not 0, and stand beside some that have one.
+std::vector<std::string> entries_without_unit(const std::vector<std::string>& entries) {
+  std::vector<std::string> bare;
+  bool has_units = false;
+  for (const auto& entry : entries) {
+    const bool is_bare = unit_of(entry).empty();
+    has_units = has_units || !is_bare;
+    if (is_bare && !is_zero(entry)) bare.push_back(entry);
+  }
+  return has_units ? bare : std::vector<std::string>{};
 }
 
 }  // namespace
@@ -69,8 +61,28 @@ std::vector<double> quantities_in(const std::string& text, const std::string& op
       faults.add({option, 0, 0}, read.error, read.advice);
   }
   faults.throw_if_any();
-  refuse_missing_units(entries, values, option, si_unit);
+  if (const auto bare = entries_without_unit(entries); !bare.empty())
+    throw InputError({option, 0, 0},
+                     fmt::format("{} {} no unit, but other entries of the list have one.", fmt::join(bare, ", "),
+                                 bare.size() == 1 ? "has" : "have"),
+                     fmt::format("Write it as: {} '{}'\nA number without a unit is in {}; beside others that have one, "
+                                 "only 0 may go without.",
+                                 option, list_with_units(text), si_unit));
   return values;
+}
+
+std::string list_with_units(const std::string& text) {
+  auto entries = entries_of(text);
+  // A unit behind several numbers most often is of all of them; numbers behind the last unit have that.
+  std::string unit;
+  for (const auto& entry : entries)
+    if (const auto own = unit_of(entry); !own.empty()) unit = own;
+  for (std::size_t k = entries.size(); k-- > 0;)
+    if (const auto own = unit_of(entries[k]); !own.empty())
+      unit = own;
+    else if (!unit.empty() && !is_zero(entries[k]))
+      entries[k] += " " + unit;
+  return fmt::format("{}", fmt::join(entries, ", "));
 }
 
 }  // namespace rotordrop

@@ -16,4 +16,7 @@ namespace rotordrop {
 [[nodiscard]] std::vector<double> quantities_in(const std::string& text, const std::string& option,
                                                 const std::string& si_unit, QuantityKind kind, const std::string& name);
 
+/// The same list as it is probably meant: entries without a unit have that of the next entry with one, "5 krpm, 10 krpm" for "5,10 krpm"; 0 stays as it is.
+[[nodiscard]] std::string list_with_units(const std::string& text);
+
 }  // namespace rotordrop

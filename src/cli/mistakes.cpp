@@ -8,6 +8,7 @@
 #include <filesystem>
 
 #include "base/parameters/suggestion.h"
+#include "base/quantity_list.h"
 #include "io/text/parameter_keys.h"
 
 namespace rotordrop {
@@ -94,16 +95,55 @@ std::string about_overrides(const std::vector<std::string>& arguments, const std
   return text;
 }
 
+bool begins_with_number(const std::string& word) {
+  const auto first = word.find_first_not_of("+-.");
+  return first != std::string::npos && first < 3 && std::isdigit(static_cast<unsigned char>(word[first]));
+}
+
 /// The option whose value the shell took apart at spaces, from the option to the word; empty if there is none.
 std::vector<std::string> value_around(const CLI::App& command, const std::vector<std::string>& arguments,
                                       const std::string& word) {
-  const auto end = std::find(arguments.begin(), arguments.end(), word);
-  auto begin = end;
-  while (begin != arguments.begin() && !(begin - 1)->starts_with("-")) --begin;
-  if (begin == arguments.begin() || begin == end || end == arguments.end()) return {};
-  const auto* option = command.get_option_no_throw(*(begin - 1));
-  if (!option || option->get_items_expected_max() == 0) return {};
-  return {begin - 1, end + 1};
+  for (auto end = arguments.end(); end != arguments.begin(); --end) {
+    if (*(end - 1) != word) continue;
+    auto begin = end;
+    while (begin != arguments.begin() && (!(begin - 1)->starts_with("-") || begins_with_number(*(begin - 1)))) --begin;
+    if (begin == arguments.begin()) return {};
+    const auto* option = command.get_option_no_throw(*(begin - 1));
+    if (!option || option->get_items_expected_max() == 0) return {};
+    std::vector<std::string> words(begin - 1, end);
+    while (words.size() > 1 && std::filesystem::path(words.back()).extension() == ".toml") words.pop_back();
+    if (words.size() > 2) return words;  // else the word is the option's value
+  }
+  return {};
+}
+
+/// "0 rpm, 100 rpm" of words such as "0 rpm" and "100 rpm", or "0", "rpm", "100" and "rpm".
+std::string list_of(const std::vector<std::string>& words) {
+  std::string list;
+  for (const auto& word : words) {
+    const bool begins = begins_with_number(word) && !list.empty() && !list.ends_with(",");
+    list += (begins ? ", " : list.empty() ? "" : " ") + word;
+  }
+  return list;
+}
+
+/// What to write instead of an option and the words of its value.
+std::string about_value(const CLI::App& command, const std::vector<std::string>& words) {
+  const std::string given = fmt::format("{}", fmt::join(words, " "));
+  const std::vector<std::string> values(words.begin() + 1, words.end());
+  const auto& option = words[0];
+  const bool is_list = option == "--map" || option == "--speeds" || option == "--times";
+  if (is_list)
+    return fmt::format(
+        "error: {}: a list must be in quotes, with commas between its entries.\n       Write it as: {} {}\n", given,
+        option, shell_quoted(list_with_units(list_of(values))));
+  const std::string type = command.get_option(option)->get_type_name();
+  const bool is_path = type == "DIR" || type == "FILE";
+  if (!is_path && std::count_if(values.begin(), values.end(), begins_with_number) > 1)
+    return fmt::format("error: {}: {} takes one value.\n       Its usage: rotordrop {} --help\n", given, option,
+                       command.get_name());
+  return fmt::format("error: {}: a value with spaces must be in quotes.\n       Write it as: {} {}\n", given, option,
+                     shell_quoted(fmt::format("{}", fmt::join(values, " "))));
 }
 
 /// Words that a command does not know, each with what may be meant.
@@ -114,9 +154,7 @@ std::string about_words(const CLI::App& command, const std::vector<std::string>&
   std::string text;
   if (!unknown.empty() && !unknown.back().starts_with("-"))
     if (const auto words = value_around(command, arguments, unknown.back()); !words.empty())
-      return fmt::format("error: {}: a value with spaces must be in quotes.\n       Write it as: {} {}\n",
-                         fmt::join(words, " "), words[0],
-                         shell_quoted(fmt::format("{}", fmt::join(words.begin() + 1, words.end(), " "))));
+      return about_value(command, words);
   for (const auto& word : unknown) {
     if (word.starts_with("-") && word.size() > 1) {
       const auto known = names_of_options(command);

@@ -49,7 +49,20 @@ class Mistakes(ProgramTest):
         self.assertIn("Write it as: --set 'run.initial_speed=8000 rpm'\n", message)
 
     def test_a_value_of_another_option_that_the_shell_took_apart(self):
-        self.assertIn("--speeds '0 rpm,100 rpm'", self.refused("modes", "reference.toml", "--speeds", "0", "rpm,100", "rpm"))
+        self.assertIn("--speeds '0 rpm, 100 rpm'", self.refused("modes", "reference.toml", "--speeds", "0", "rpm,100", "rpm"))
+
+    def test_a_list_that_the_shell_took_apart(self):
+        for command, option, words, form in (("critical-speeds", "--map", ["1e6", "1e9"], "1e6, 1e9"), ("critical-speeds", "--map", ["1", "1000", "N/um"], "1 N/um, 1000 N/um"),
+                                             ("critical-speeds", "--map", ["1e6 N/m", "1e9 N/m"], "1e6 N/m, 1e9 N/m"), ("modes", "--speeds", ["0 rpm", "15200 rpm"], "0 rpm, 15200 rpm"),
+                                             ("modes", "--speeds", ["0", "rpm", "15200", "rpm"], "0 rpm, 15200 rpm"), ("modes", "--speeds", ["0", "-50", "5"], "0, -50, 5")):
+            for arguments in ([command, "reference.toml", option, *words], [command, option, *words, "reference.toml"]):
+                message = self.refused(*arguments)
+                self.assertIn(f"Write it as: {option} '{form}'\n", message)
+            self.succeed(command, "reference.toml", *shlex.split(message.split("Write it as: ")[1]))
+        self.assertIn("Write it as: --times '1 ms, 10 ms'\n", self.refused("compare", "out", "--times", "1", "ms", "10", "ms"))
+        self.assertIn("--stiffness takes one value", self.refused("critical-speeds", "reference.toml", "--stiffness", "1e6", "1e9"))
+        self.assertIn("Write it as: --stiffness '1e6 N/m'\n", self.refused("critical-speeds", "reference.toml", "--stiffness", "1e6", "N/m"))
+        self.assertIn("Write it as: -o 'run 1 2'\n", self.refused("run", "reference.toml", "-o", "run", "1", "2"))
 
     def test_quotes(self):
         for value in ("'8000 rpm", "8000 rpm\"", "\u201c8000 rpm\u201d", "\u20188000 rpm\u2019"):
