@@ -25,16 +25,32 @@ std::string letters_of(std::string_view unit) {
   return letters;
 }
 
+/// "[0, -9.81, 0]" of "0,-9.81,0".
+std::string list_in_brackets(std::string_view values) {
+  std::string list;
+  for (const char c : values)
+    if (c == ',')
+      list += ", ";
+    else if (c != ' ' || !list.ends_with(' '))
+      list += c;
+  return "[" + list + "]";
+}
+
 }  // namespace
 
 std::optional<NumberSlip> number_slip(double value, std::string_view rest) {
   constexpr std::string_view digits = "0123456789";
   if (rest.front() == ',') {
     const bool may_be_thousands = std::min(rest.find_first_not_of(digits, 1), rest.size()) == 4;  // "11,000 rpm"
+    const auto next = rest.find_first_not_of(' ', 1);
+    const bool may_be_list = !may_be_thousands && next != std::string_view::npos &&
+                             (rest.find(',', 1) != std::string_view::npos || rest[next] == '-' || rest[next] == '+');
     return NumberSlip{"is not a number with a unit",
                       may_be_thousands
                           ? "Write thousands without a comma (11000), and a decimal point as a point (11.0)."
-                          : "Write a decimal point, not a comma."};
+                      : may_be_list ? "Several values are a list in brackets, where the key takes one: " +
+                                          list_in_brackets(fmt::format("{}{}", shortest(value), rest)) + "."
+                                    : "Write a decimal point, not a comma."};
   }
   if (rest.front() == '/')
     if (const auto divisor = bare_number(rest.substr(1)); divisor && *divisor != 0.)

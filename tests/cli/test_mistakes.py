@@ -76,6 +76,12 @@ class Mistakes(ProgramTest):
         self.assertEqual(self.form_for("--set", "thermal.models=[lumped]"), "--set 'thermal.models=[\"lumped\"]'")
         self.assertEqual(self.form_for("--set", "thermal.models=lumped"), "--set 'thermal.models=[\"lumped\"]'")
 
+    def test_a_list_where_one_value_would_do(self):
+        self.assertEqual(self.form_for("--set", "run.gravity=0,-9.81,0"), "--set 'run.gravity=[0, -9.81, 0]'")
+        message = self.refused("check", self.case('run.gravity = "0,-9.81,0"\n'))
+        self.assertIn("Several values are a list in brackets, where the key takes one: [0, -9.81, 0].", message)
+        self.assertNotIn("decimal point", message)
+
     def test_a_decimal_comma(self):
         self.assertEqual(self.form_for("--set", "contact.friction_coefficient=0,05"), "--set contact.friction_coefficient=0.05")
 

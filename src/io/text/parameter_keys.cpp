@@ -115,6 +115,11 @@ bool takes_list(const Declaration& d) {
   return d.kind == Kind::custom && d.json_types == std::vector<std::string>{"array"};
 }
 
+/// run.gravity: one value downwards, or a list of three.
+bool may_take_list(const Declaration& d) {
+  return d.kind == Kind::custom && std::find(d.json_types.begin(), d.json_types.end(), "array") != d.json_types.end();
+}
+
 bool is_key(std::string_view word) {
   return word.find('.') != std::string_view::npos && std::isalpha(static_cast<unsigned char>(word.front())) &&
          std::all_of(word.begin(), word.end(),
@@ -151,6 +156,8 @@ std::string right_form(const std::vector<ErasedSection>& sections, const std::st
   else if (!text.starts_with("[") && !text.starts_with("{") && d && takes_list(*d)) {
     if (d->kind == Kind::quantities && d->min_count > 1 && text.find(',') == std::string::npos)
       return "";  // one value is not several
+    text = mended_list("[" + text + "]");
+  } else if (d && may_take_list(*d) && !text.starts_with("[") && items_of(text).size() > 2) {
     text = mended_list("[" + text + "]");
   } else if (!text.starts_with("[") && !text.starts_with("{")) {
     text = without_outer_quotes(text);
