@@ -31,6 +31,7 @@ UNITS = {"m": 1.0, "cm": 1e-2, "mm": 1e-3, "um": 1e-6, "in": 0.0254, "Pa": 1.0, 
          "kg m2": 1.0, "kg mm2": 1e-6, "g mm2": 1e-9, "1": 1.0, "rpm": math.pi / 30, "rad/s": 1.0}
 COLUMNS = {"length": "m", "outer_diameter": "m", "bore": "m", "E": "Pa", "nu": "1", "rho": "kg/m3", "mass": "kg", "Ip": "kg m2", "Id": "kg m2"}
 DIMENSIONS = {"m": {"m", "cm", "mm", "um", "in"}, "Pa": {"Pa", "MPa", "GPa"}, "kg/m3": {"kg/m3", "g/cm3"}, "kg": {"kg", "g"}, "kg m2": {"kg m2", "kg mm2", "g mm2"}, "1": {"1"}}
+ROSS_VERSION = "2.0.0"
 STEEL = {"E": 2.0e11, "nu": 0.3, "rho": 7800.0}
 
 
@@ -165,12 +166,12 @@ def write_case(folder, source, geometry, supports, notes, speed):
 
 
 def to_ross(case, target):
-    """Writes the rotor and the linear supports of a case in the layout of ROSS's Rotor.save()."""
+    """Writes the rotor and the linear supports of a case in the layout of ROSS's Rotor.save(), as TOML or JSON."""
     parameters = tomllib.loads(case.read_text())
     geometry = parameters["rotor"]["geometry"]
     if isinstance(geometry, str):
         file = case.parent / geometry
-        geometry = tomllib.loads(file.read_text()) if file.suffix == ".toml" else json.loads(file.read_text())
+        geometry = from_table(file)[0] if file.suffix == ".csv" else tomllib.loads(file.read_text()) if file.suffix == ".toml" else json.loads(file.read_text())
     x = [node["x"] for node in geometry["nodes"]]
     sections = {"parameters": {}}
     for k, element in enumerate(geometry["elements"]):
@@ -194,7 +195,16 @@ def to_ross(case, target):
                 raise Fault(f"{case}: bearings.{name}: write its matrices as numbers in SI units.")
             section |= {letter + "xx": [matrix[1][1]], letter + "xy": [-matrix[1][0]], letter + "yx": [-matrix[0][1]], letter + "yy": [matrix[0][0]]}
         sections[f"BearingElement_{name}"] = section | {"n": support["node"] - 1, "tag": name}
-    lines = ['ross_version = "2.0.0"']
+    if target.suffix == ".json":
+        tree = {"ross_version": ROSS_VERSION}
+        for title, section in sections.items():
+            if title.endswith(".material"):
+                tree[title.removesuffix(".material")]["material"] = section
+            else:
+                tree[title] = section
+        target.write_text(json.dumps(tree, indent=1) + "\n")
+        return
+    lines = [f'ross_version = "{ROSS_VERSION}"']
     for title, section in sections.items():
         head = f'"{title.removesuffix(".material")}"' + (".material" if title.endswith(".material") else "")
         lines += ["", f"[{head}]" if title != "parameters" else "[parameters]", *(f"{key} = {json.dumps(value)}" for key, value in section.items())]
@@ -208,12 +218,14 @@ def main():
     reading.add_argument("file", type=pathlib.Path)
     reading.add_argument("folder", type=pathlib.Path)
     reading.add_argument("--speed", default="0 rpm", help="spin speed of the case, at which tables of coefficients are read")
-    writing = commands.add_parser("export", help="ROSS's TOML from a case")
+    writing = commands.add_parser("export", help="ROSS's TOML or JSON (by the ending of the name) from a case")
     writing.add_argument("case", type=pathlib.Path)
     writing.add_argument("file", type=pathlib.Path)
     arguments = parser.parse_args()
     try:
         if arguments.command == "export":
+            if arguments.file.suffix not in (".toml", ".json"):
+                raise Fault(f"{arguments.file}: the name must end in .toml or .json, which ROSS reads.")
             if arguments.file.exists():
                 raise Fault(f"{arguments.file} exists already; choose another name.")
             to_ross(arguments.case, arguments.file)

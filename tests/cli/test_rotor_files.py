@@ -117,6 +117,18 @@ class RotorFiles(ProgramTest):
         for found, published in zip(self.frequencies("table/drop.toml"), PUBLISHED):
             self.assertLess(abs(found / published - 1), 1e-9)
 
+    def test_a_case_with_a_table_as_its_rotor_is_exported(self):
+        self.write("shaft.csv", "length [mm], outer_diameter [mm], mass [kg], Ip [kg m2], Id [kg m2]\n250, 50, , ,\n250, 50, 30, 0.3, 0.17\n250, 60, , ,\n")
+        self.write("own.toml", '[run]\ninitial_speed = 0\n[rotor]\ngeometry = "shaft.csv"\nmodal_damping = 0\n[bearings.A]\ntype = "linear"\nnode = 1\nstiffness = [[8e5, 0], [0, 1e6]]\n'
+                               '[bearings.B]\ntype = "linear"\nnode = 4\nstiffness = [[8e5, 0], [0, 1e6]]\n')
+        for name in ("back.toml", "back.json"):
+            self.convert("export", "own.toml", name)
+            self.convert("import", name, name[5:])
+            for a, b in zip(self.frequencies("own.toml"), self.frequencies(f"{name[5:]}/drop.toml")):
+                self.assertLess(abs(a / b - 1), 1e-9)
+        self.assertEqual(json.loads((self.folder / "back.json").read_text()), tomllib.loads((self.folder / "back.toml").read_text()))
+        self.assertIn("must end in .toml or .json", self.convert("export", "own.toml", "back.rot", code=2))
+
     def test_faults_of_tables_are_told(self):
         for text, said in (("length [mm], diameter [mm]\n10, 20\n", 'unknown column "diameter [mm]"'), ("length [kg], outer_diameter [mm]\n10, 20\n", "allowed: cm, in, m, mm, um"),
                            ("length [mm], outer_diameter [mm]\n10\n", "section 1 has 1 values"), ("length [mm], outer_diameter [mm]\nx, 20\n", "section 1"),
