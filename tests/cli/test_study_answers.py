@@ -162,6 +162,17 @@ class StudyAnswers(ProgramTest):
         self.assertIn("No level is called smallest", told)
         self.succeed("study", "report", "none")
 
+    def test_points_that_no_shard_has_run_are_not_drops_without_the_result(self):
+        self.write("s.toml", 'case = "drop.toml"\n[vary]\ncontact.air_gap = { values = ["200 um", "250 um"] }\n[design]\nkind = "grid"\n'
+                             '[choose]\nparameter = "contact.air_gap"\nresult = "bearings.TB1.first_contact_time"\nquantile = 0.5\n')
+        self.succeed("study", "s.toml", "-o", "shard-1", "--shard", "1/2", "--quiet", "--set", 'run.end_time="20 ms"')
+        joined = self.call("study", "join", "shard-1", "-o", "part")
+        self.assertEqual(joined.returncode, 1)
+        levels = json.loads((self.folder / "part/study.json").read_text())["choose"]["levels"]
+        self.assertEqual(sorted((one["n"], one["without_result"], one["not_run"]) for one in levels), [(0, 0, 1), (1, 0, 0)])
+        self.assertIn("none, 1 not run", joined.stdout)
+        self.assertNotIn("without this result", joined.stdout)
+
     def test_a_formula_feeds_a_key_of_whole_numbers(self):
         self.write("s.toml", VARY + 'bearings.TB1.balls_per_row = { formula = "14 + 0 * contact.air_gap" }\n[design]\nsize = 2\n')
         self.succeed("study", "s.toml", "--dry-run")

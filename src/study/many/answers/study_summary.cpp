@@ -147,7 +147,7 @@ Json choice_summary(const Study& study, const Design& design, const StudyTable& 
   struct Level {
     Json value;
     std::vector<double> results;
-    std::size_t n_failed = 0;
+    std::size_t n_without = 0, n_not_run = 0;
   };
   std::vector<Level> levels;
   auto points = sample_points(study, design);
@@ -157,11 +157,13 @@ Json choice_summary(const Study& study, const Design& design, const StudyTable& 
   for (const std::size_t k : points) {
     const Json value = to_json(point_of(study, design, k).values[index]);
     auto level = std::find_if(levels.begin(), levels.end(), [&](const Level& l) { return l.value == value; });
-    if (level == levels.end()) level = levels.insert(levels.end(), {value, {}, 0});
+    if (level == levels.end()) level = levels.insert(levels.end(), {value, {}});
     if (column && std::isfinite(column->values[k]))
       level->results.push_back(column->values[k]);
+    else if (table.status[k] == PointStatus::not_run)
+      ++level->n_not_run;
     else
-      ++level->n_failed;
+      ++level->n_without;
   }
   std::stable_sort(levels.begin(), levels.end(), [](const Level& a, const Level& b) {
     return a.value.is_number() && b.value.is_number() && a.value.get<double>() < b.value.get<double>();
@@ -171,7 +173,10 @@ Json choice_summary(const Study& study, const Design& design, const StudyTable& 
          {"quantile", choice.quantile},   {"levels", Json::array()}};
   std::optional<std::size_t> best;
   for (auto& level : levels) {
-    Json one{{"value", level.value}, {"n", level.results.size()}, {"without_result", level.n_failed}};
+    Json one{{"value", level.value},
+             {"n", level.results.size()},
+             {"without_result", level.n_without},
+             {"not_run", level.n_not_run}};
     if (!level.results.empty()) {
       std::sort(level.results.begin(), level.results.end());
       const Estimate q = quantile_estimate(level.results, choice.quantile);
@@ -182,7 +187,7 @@ Json choice_summary(const Study& study, const Design& design, const StudyTable& 
       one["smallest"] = level.results.front();
       one["largest"] = level.results.back();
       // Of drops without the result nobody knows whether they would be better or worse.
-      if (level.n_failed == 0 && (!best || q.value < j["levels"][*best]["quantile"].get<double>()))
+      if (level.n_without + level.n_not_run == 0 && (!best || q.value < j["levels"][*best]["quantile"].get<double>()))
         best = j["levels"].size();
     }
     j["levels"].push_back(std::move(one));

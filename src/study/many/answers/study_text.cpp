@@ -32,8 +32,10 @@ std::string choice_text(const Json& choice) {
   std::string text = fmt::format("{} quantile of {} by {}:\n", quantile, choice["result"].get<std::string>(),
                                  choice["parameter"].get<std::string>());
   for (const auto& level : choice["levels"]) {
-    const auto n_without = level["without_result"].get<std::size_t>();
-    const std::string without = n_without > 0 ? fmt::format(", {} without this result", n_without) : std::string();
+    std::string without;
+    if (const auto n = level["without_result"].get<std::size_t>(); n > 0)
+      without += fmt::format(", {} without this result", n);
+    if (const auto n = level.value("not_run", std::size_t{0}); n > 0) without += fmt::format(", {} not run", n);
     if (!level.contains("quantile")) {
       text += fmt::format("  {:>16}: {:>12}{}\n", number(level["value"], own), "none", without);
       continue;
@@ -47,7 +49,8 @@ std::string choice_text(const Json& choice) {
                         level["n"].get<std::size_t>(), without,
                         choice["best"].is_object() && level["value"] == choice["best"]["value"] ? "  <- smallest" : "");
   }
-  if (choice["best"].is_null()) text += "  No level is called smallest: each has drops without this result.\n";
+  if (choice["best"].is_null())
+    text += "  No level is called smallest: each has drops without this result or not run.\n";
   return text;
 }
 
