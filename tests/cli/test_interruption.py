@@ -213,6 +213,7 @@ class Interruption(ProgramTest):
         done = self.call("run", "reference.toml", "-o", "out", *LONG, *settings(contact__friction_coefficient="0.2"), "--resume")
         self.assertEqual(done.returncode, 2, done.stderr)
         self.assertRegex(done.stderr, "parameters")
+        self.assertRegex(done.stderr, r'must be written\s+as they were, "3 s" not as 3')
         self.assertEqual(content_of(self.folder / "out"), before)
 
     @unittest.skipUnless(HAS_MESH_ROOM, "built without the mesh room")
