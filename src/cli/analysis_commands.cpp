@@ -97,7 +97,7 @@ int critical_speeds_command(const CriticalSpeedsCommand& command) {
     fmt::print("{}\n", json.dump(2));
   else
     fmt::print("rotordrop {} ({})   critical speeds, case {}\n{}", version(), git_revision(), c.name,
-               critical_speeds_text(json));
+               critical_speeds_text(c, json));
   const auto file = command.diagram.empty() ? std::filesystem::path("out") / c.name / "campbell.svg" : command.diagram;
   if (file.has_parent_path()) std::filesystem::create_directories(file.parent_path());
   write_picture(file, campbell_picture(report, options.up_to, json["operating_speed"].get<double>()));

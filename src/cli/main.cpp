@@ -89,7 +89,8 @@ int run_program(int argc, char** argv) {
   add_overrides(*check, check_overrides);
 
   ModesCommand modes;
-  auto* modes_app = app.add_subcommand("modes", "Compute natural modes with the case's linear supports, or free-free.");
+  auto* modes_app =
+      app.add_subcommand("modes", "Compute natural modes with the case's linear supports and magnets, or free-free.");
   add_case(*modes_app, modes.file);
   modes_app->add_option("--speeds", modes.speeds,
                         "Spin speeds, such as \"0 rpm,15200 rpm\"; default: 0 and the initial speed");

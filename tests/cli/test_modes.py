@@ -70,6 +70,19 @@ class Modes(ProgramTest):
             self.assertAlmostEqual(mode["frequency"], expected, delta=4e-3 * expected)
             self.assertAlmostEqual(mode["damping_ratio"], 0, delta=1e-6)
 
+    def test_the_screen_says_what_holds_the_rotor(self):
+        linear = linear_supports("1e6 N/m")
+        magnets = linear.replace('type = "linear"', 'type = "magnet"')
+        both = linear.partition("[bearings.B]")[0] + "[bearings.B]" + magnets.partition("[bearings.B]")[2]
+        for text, words, value in ((linear, "linear supports", "the case's linear supports"), (magnets, "magnets", "the case's linear supports and magnets"),
+                                   (both, "linear supports and magnets", "the case's linear supports and magnets")):
+            case = self.write("held.toml", text)
+            self.assertTrue(self.succeed("modes", case).stdout.startswith(f"Natural modes on the case's {words}\n"), words)
+            self.assertEqual(self.modes(case)["supports"], "linear")
+            self.assertIn(f"supports: the case's {words} at A, B\n", self.succeed("critical-speeds", case).stdout)
+            self.assertEqual(json.loads(self.succeed("critical-speeds", case, "--json").stdout)["supports"], value)
+        self.assertIn("no linear supports or magnets", self.succeed("modes", "reference.toml").stdout)
+
     def test_dampers_damp_the_bounce_mode_as_a_mass_on_springs(self):
         self.write("linear.toml", linear_supports("1e6 N/m", "1000 N s/m"))
         lowest = self.modes("linear.toml", speeds="0 rpm")["speeds"][0]["modes"][0]

@@ -155,7 +155,7 @@ class Case:
         return Result(_core.run_in_folder(self._case, absolute, force, resume, told), self, absolute)
 
     def modes(self, speeds: Sequence[float | str] | float | str | None = None, n_modes: int = 10) -> xarray.Dataset:
-        """Natural modes of the rotor with the case's linear supports, or free-free if it has none.
+        """Natural modes of the rotor with the case's linear supports and magnets, or free-free if it has none.
 
         speeds   spin speeds: [rad/s], or texts such as "15200 rpm"; default: at rest and at the case's initial speed
 

@@ -9,6 +9,7 @@
 #include "base/quantity_list.h"
 #include "base/rotation.h"
 #include "base/units.h"
+#include "study/modes/modes_report.h"
 
 namespace rotordrop {
 namespace {
@@ -91,9 +92,11 @@ nlohmann::ordered_json critical_speeds_json(const Case& rotor_case, const Critic
   return j;
 }
 
-std::string critical_speeds_text(const nlohmann::ordered_json& j) {
+std::string critical_speeds_text(const Case& rotor_case, const nlohmann::ordered_json& j) {
+  const std::string held_by = supports_with_stiffness(rotor_case.parameters);
+  const bool is_on_own = j["supports"].get<std::string>().starts_with("the case's");
   std::string text = fmt::format("Critical speeds up to {:.6g} rpm; supports: {}", j["up_to"].get<double>() * to_rpm,
-                                 j["supports"].get<std::string>());
+                                 is_on_own ? "the case's " + held_by : j["supports"].get<std::string>());
   if (j.contains("stiffness")) text += fmt::format(" {:.4g} N/m", j["stiffness"].get<double>());
   for (std::size_t k = 0; k < j["stations"].size(); ++k)
     text += (k ? ", " : " at ") + j["stations"][k].get<std::string>();
@@ -117,7 +120,7 @@ std::string critical_speeds_text(const nlohmann::ordered_json& j) {
     text += fmt::format("Rigid-body motions at 0 Hz: {}, which have no critical speed.\n",
                         j["rigid_body_modes"].get<int>());
   if (j["supports"] == "free-free")
-    text += "The case has no linear supports. --stiffness \"5e7 N/m\" puts springs at its bearings.\n";
+    text += "The case has no linear supports or magnets. --stiffness \"5e7 N/m\" puts springs at its bearings.\n";
   if (j.contains("left_out")) text += left_out_text(j["left_out"].get<std::vector<std::string>>());
   return text;
 }

@@ -23,7 +23,7 @@ struct CriticalSpeedQuestion {
 [[nodiscard]] nlohmann::ordered_json critical_speeds_json(const Case& rotor_case, const CriticalSpeedReport& report,
                                                           const CriticalSpeedOptions& options);
 /// A table for the screen.
-[[nodiscard]] std::string critical_speeds_text(const nlohmann::ordered_json& report);
+[[nodiscard]] std::string critical_speeds_text(const Case& rotor_case, const nlohmann::ordered_json& report);
 /// Campbell diagram, and the critical-speed map if there is one, as one SVG picture.
 [[nodiscard]] std::string campbell_picture(const CriticalSpeedReport& report, double up_to, double operating_speed);
 

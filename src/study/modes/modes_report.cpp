@@ -28,12 +28,20 @@ std::vector<double> parse_speeds(const std::string& text) {
   return speeds;
 }
 
+std::string supports_with_stiffness(const CaseParameters& parameters) {
+  const auto& all = parameters.bearings;
+  const bool has_linear = std::any_of(all.begin(), all.end(), [](const auto& one) { return one.linear(); });
+  const bool has_magnets = std::any_of(all.begin(), all.end(), [](const auto& one) { return one.magnet(); });
+  if (!has_magnets) return has_linear ? "linear supports" : "";
+  return has_linear ? "linear supports and magnets" : "magnets";
+}
+
 ModesReport find_modes(const Case& rotor_case, const std::vector<double>& speeds) {
   ModesReport report;
   report.speeds = speeds;
   report.modes = machine_modes(rotor_case.parameters, speeds);
-  for (const auto& entry : rotor_case.parameters.bearings)
-    if (entry.linear() || entry.magnet()) report.is_free_free = false;
+  report.held_by = supports_with_stiffness(rotor_case.parameters);
+  report.is_free_free = report.held_by.empty();
   report.left_out = supports_without_stiffness(rotor_case.parameters);
   report.node_positions = rotor_case.parameters.rotor.geometry.node_x;
   return report;
@@ -63,8 +71,8 @@ nlohmann::ordered_json to_json(const ModesReport& report, std::size_t n_modes) {
 }
 
 std::string to_table(const ModesReport& report, std::size_t n_modes) {
-  std::string text = report.is_free_free ? "Natural modes, free-free (the case has no linear supports)\n"
-                                         : "Natural modes on the case's linear supports\n";
+  std::string text = report.is_free_free ? "Natural modes, free-free (the case has no linear supports or magnets)\n"
+                                         : fmt::format("Natural modes on the case's {}\n", report.held_by);
   text += left_out_text(report.left_out);
   for (std::size_t i = 0; i < report.speeds.size(); ++i) {
     text += fmt::format("\n{:.6g} rpm", report.speeds[i] * to_rpm);

@@ -9,15 +9,19 @@
 
 namespace rotordrop {
 
-/// Natural modes of a case's rotor at constant spin speeds: with its linear supports, or free-free.
+/// Natural modes of a case's rotor at constant spin speeds: with its linear supports and magnets, or free-free.
 struct ModesReport {
   std::vector<double> speeds;  ///< [rad/s]
   std::vector<WhirlModes> modes;
   bool is_free_free = true;
+  std::string held_by;                 ///< "linear supports", "magnets" or both; empty if free-free
   std::vector<std::string> left_out;   ///< supports of kinds added by others
   std::vector<double> node_positions;  ///< [m]
 };
 ModesReport find_modes(const Case& rotor_case, const std::vector<double>& speeds);
+
+/// What holds a levitated rotor by its stiffness: "linear supports", "magnets", "linear supports and magnets"; empty if nothing does.
+[[nodiscard]] std::string supports_with_stiffness(const CaseParameters& parameters);
 
 /// supports, left_out[] (if there are such), speeds[].{speed, modes[].{frequency, natural_frequency, damping_ratio, whirl}}; rad/s and Hz.
 nlohmann::ordered_json to_json(const ModesReport& report, std::size_t n_modes);
