@@ -12,7 +12,7 @@ import unittest
 
 sys.path.insert(0, __file__.rpartition("/")[0])
 from browser import BROWSER, DRIVER, Browser  # noqa: E402
-from program import PROGRAM, SOURCE, ProgramTest, call  # noqa: E402
+from program import PARAMS, PROGRAM, SOURCE, ProgramTest, call  # noqa: E402
 
 BUILD = SOURCE / "docs/build.py"
 
@@ -197,6 +197,29 @@ class Extending(ProgramTest):
         self.assertTrue((self.folder / "my-drop/results/report.html").is_file())
         for mu in ("0.05", "0.10", "0.15"):
             self.assertTrue((self.folder / f"my-drop/mu-{mu}/summary.json").is_file())
+
+    def test_the_first_example_of_parameters_is_a_case(self):
+        text = (SOURCE / "docs/how-to/parameters.md").read_text(encoding="utf-8")
+        self.write("neisi2019.toml", (self.folder / "reference.toml").read_text())
+        self.succeed("check", self.write("case.toml", re.search(r"```toml\n(base.*?)```", text, re.S)[1]))
+
+    def test_the_verdicts_of_the_tutorial_and_of_limits_are_those_of_the_program(self):
+        verdict = r"^ +(accepted|REJECTED|not assessed) +(\S+) (?:%|) +(bearings\S+)(?: = |: )([\d.]+|no value)(.*)$"
+        tutorial, limits = (re.search(r"    Limits: .*?\n\n", (SOURCE / "docs" / page).read_text(encoding="utf-8"), re.S)[0] for page in ("tutorials/own-machine.md", "how-to/limits.md"))
+        self.succeed("new", "mine", "--own")
+        shutil.copy(PARAMS / "neisi2019-settling.toml", self.folder)
+        shutil.copy(PARAMS / "neisi2019.toml", self.folder)
+        self.write("limits.toml", 'base = "neisi2019-settling.toml"\nrun.end_time = "50 ms"\n[limits]\nbearings.TB2.peak_contact_force.max = "4 kN"\nbearings.TB1.peak_contact_force.max = "20 kN"\n'
+                                  'bearings.TB1.catch_up_time.max = "0.1 s"\n')
+        for text, case in ((tutorial, "mine/drop.toml"), (limits, "limits.toml")):
+            said = self.succeed("run", case, "-o", "out", "--force").stdout
+            self.assertIn(text.strip().splitlines()[0], said)
+            told, found = (re.findall(verdict, one, re.M) for one in (text, said))
+            self.assertEqual(len(told), len(text.strip().splitlines()) - 1)
+            for a, b in zip(told, found, strict=True):
+                self.assertEqual((a[0], a[2]), (b[0], b[2]))
+                if a[3] != "no value":
+                    self.assertLess(abs(float(a[3]) / float(b[3]) - 1), 5e-3, f"{a}: of another processor they differ by less")
 
     def test_all_examples_are_run(self):
         self.assertEqual(set(self.blocks()), {"material", "catalogue file bearings/6211-hybrid.toml", "bearing", "thermal node"})
