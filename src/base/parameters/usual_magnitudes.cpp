@@ -11,12 +11,13 @@ namespace {
 constexpr double day = 86400.;
 
 /// Estimates: of a 100 t rotor with a margin; what is beyond them is a wrong unit or a typing error more often than a machine.
+/// 6500 rad/s are 62 000 rpm: 15 200 rad/s are meant as rpm.
 constexpr std::pair<std::string_view, double> largest[] = {
     {"m", 10.},
     {"s", 30. * day},
     {"Hz", 1e6},
     {"1/s", 1e6},
-    {"rad/s", 2e4},
+    {"rad/s", 6500.},
     {"m/s", 500.},
     {"rad", 2. * std::numbers::pi},
     {"N", 1e8},
