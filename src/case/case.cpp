@@ -257,6 +257,7 @@ void complete_tree(Node& tree, const fs::path& file, const Layers& layers, const
   const Node* materials = tree.find("materials");
   if (!materials)
     tree.set("materials", default_materials());
+  load_common_catalogue(tree, file, notes.faults);
   else if (materials->is_table())
     tree.set("materials", merged(default_materials(), *materials), position_of(tree, "materials"));
 }

@@ -7,6 +7,7 @@
 #include <cctype>
 #include <cstdlib>
 #include <string>
+#include <string_view>
 
 #include "base/parameters/suggestion.h"
 #include "base/units.h"
@@ -68,12 +69,12 @@ std::string name_within(const std::string& text, const std::vector<std::string>&
   return found.empty() ? text : found;
 }
 
+/// @param name  of the key's table: "bearings.TB1"
 void load_entry(Node& bearing, const std::string& name, const fs::path& case_file, Faults& faults) {
   const Node* entry = bearing.is_table() ? bearing.find("catalogue") : nullptr;
   if (!entry) return;
   if (!entry->is_text()) {  // without it all that the bearing brings would be missing, too
-    faults.add(entry->where(),
-               fmt::format("bearings.{}.catalogue is {}; it must be a text in quotes.", name, kind_name(*entry)),
+    faults.add(entry->where(), fmt::format("{}.catalogue is {}; it must be a text in quotes.", name, kind_name(*entry)),
                entry->is_number() ? fmt::format("Write it as: catalogue = \"{}\"", to_text(*entry)) : "");
     faults.throw_if_any();
   }
@@ -93,8 +94,7 @@ void load_entry(Node& bearing, const std::string& name, const fs::path& case_fil
   }
   std::sort(with_sizes.begin(), with_sizes.end());
   faults.add(
-      entry->where(),
-      fmt::format("bearings.{}.catalogue = \"{}\": the catalogue has no such bearing.", name, entry->text()),
+      entry->where(), fmt::format("{}.catalogue = \"{}\": the catalogue has no such bearing.", name, entry->text()),
       suggestion(name_within(entry->text(), known), known, fmt::format("Known: {}.", fmt::join(with_sizes, ", "))));
   const std::string closest = closest_name(name_within(entry->text(), known), known);
   const auto like = std::find(known.begin(), known.end(), closest.empty() ? "6014" : closest);
@@ -120,6 +120,11 @@ void tell_what_goes(const std::string& name, const Node& bearing, const Node& un
                       "Write again beside it what is meant for this bearing, too."});
 }
 
+bool is_touchdown(const Node& bearing) {
+  const Node* type = bearing.is_table() ? bearing.find("type") : nullptr;
+  return type && type->is_text() && type->text() == "touchdown";
+}
+
 }  // namespace
 
 std::vector<fs::path> catalogue_folders(const fs::path& case_file) {
@@ -137,17 +142,35 @@ void load_catalogue_bearings(Node& tree, const fs::path& file, const Node& base,
   for (auto& entry : bearings->entries()) {
     const Node* same = under ? under->find(entry.key) : nullptr;
     if (!same || !same->is_table() || !entry.value.is_table()) {
-      load_entry(entry.value, entry.key, file, notes.faults);
+      load_entry(entry.value, "bearings." + entry.key, file, notes.faults);
       continue;
     }
     // The name that is there already brings nothing new: what the layers below say besides stays.
     const Node *name = entry.value.find("catalogue"), *name_under = same->find("catalogue");
     if (name && name_under && to_text(*name) == to_text(*name_under)) continue;
     const bool is_named = name && name->is_text();
-    load_entry(entry.value, entry.key, file, notes.faults);  // the entry is another table now
+    load_entry(entry.value, "bearings." + entry.key, file, notes.faults);  // the entry is another table now
     if (is_named && name_under && name_under->is_text())
       tell_what_goes(entry.key, entry.value, *same, name_under->text(), notes.warnings);
     keep_set(entry.value, *same);
+  }
+}
+
+void load_common_catalogue(Node& tree, const fs::path& file, Faults& faults) {
+  Node* bearings = tree.find("bearings");
+  if (!bearings || !bearings->is_table()) return;
+  for (const char* key : {"catalogue", "count"}) {
+    const Node* found = bearings->find(key);
+    if (!found || found->is_table()) continue;  // a bearing of that name
+    const Node common = *found;
+    const SourcePosition where = position_of(*bearings, key);
+    const bool is_catalogue = key == std::string_view("catalogue");
+    const fs::path folder_of = common.where().line == 0 ? file : fs::path(common.where().file.text());
+    for (auto& entry : bearings->entries()) {
+      if (!is_touchdown(entry.value) || entry.value.has(key)) continue;
+      entry.value.set(key, common, where);
+      if (is_catalogue) load_entry(entry.value, "bearings", folder_of, faults);
+    }
   }
 }
 

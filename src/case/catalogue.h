@@ -23,4 +23,9 @@ struct LayerNotes {
 /// @param base  what the layer will be laid over
 void load_catalogue_bearings(Node& tree, const std::filesystem::path& file, const Node& base, LayerNotes& notes);
 
+/// Gives the `catalogue` and the `count` of [bearings] to every touchdown bearing that has none of its own, and puts that entry's data under what any
+/// layer says of the bearing.
+/// @param tree  of all layers  @param file  the case
+void load_common_catalogue(Node& tree, const std::filesystem::path& file, Faults& faults);
+
 }  // namespace rotordrop

@@ -175,11 +175,15 @@ void look_for_common_keys_without_effect(const Node& tree, std::vector<Fault>& w
         type && type->is_text() && type->text() == "touchdown")
       touchdowns.push_back(&entry.value);
   if (touchdowns.empty()) return;
-  const auto is_everywhere = [&](const std::string& key) {
-    return std::all_of(touchdowns.begin(), touchdowns.end(), [&](const Node* b) { return b->has(key); });
+  // A catalogue's name is copied to the bearings that have none: it then stands at the same place.
+  const auto is_everywhere = [&](const Node::Entry& common) {
+    return std::all_of(touchdowns.begin(), touchdowns.end(), [&](const Node* b) {
+      const Node* own = b->find(common.key);
+      return own && !(own->where() == common.value.where());
+    });
   };
   for (const auto& entry : bearings->entries())
-    if (!entry.value.is_table() && is_everywhere(entry.key))
+    if (!entry.value.is_table() && is_everywhere(entry))
       warnings.push_back(
           {entry.value.where(),
            fmt::format("bearings.{} has no effect: every touchdown bearing has a value of its own.", entry.key),

@@ -2,6 +2,7 @@
 
 import json
 import re
+import shutil
 import sys
 import tomllib
 import unittest
@@ -183,6 +184,43 @@ class Catalogue(ProgramTest):
                 resolved = tomllib.loads((self.folder / "out/parameters.toml").read_text())["bearings"]["TB1"]
                 self.assertEqual(resolved["balls_per_row"], data["balls_per_row"])
                 self.assertEqual(resolved["ball_diameter"], data["ball_diameter"])
+
+    def test_a_catalogue_name_of_all_bearings_is_that_of_those_without_one(self):
+        machine = (PARAMS / "own-machine/drop.toml").read_text()
+        shutil.copytree(PARAMS / "own-machine", self.folder / "own")
+        self.write("own/drop.toml", machine)
+        self.succeed("run", "own/drop.toml", "-o", "each", *settings(run__end_time="20 us"))
+        each = tomllib.loads((self.folder / "each/parameters.toml").read_text())["bearings"]
+        # TB2's name and data from [bearings], TB1 with its own; what stands beside a bearing goes before the catalogue.
+        common = machine.replace('catalogue = "6018"\n', "").replace("[bearings.TB1]", '[bearings]\ncatalogue = "6018"\n\n[bearings.TB1]')
+        self.assertEqual(common.count("catalogue ="), 2)
+        self.write("own/drop.toml", common)
+        self.succeed("run", "own/drop.toml", "-o", "all", *settings(run__end_time="20 us"))
+        self.assertEqual(self.summary("all")["input_warnings"], [])
+        both = tomllib.loads((self.folder / "all/parameters.toml").read_text())["bearings"]
+        self.assertEqual((both["TB1"], both["TB2"]), (each["TB1"], each["TB2"]))
+        self.succeed("run", "all/parameters.toml", "-o", "again", *settings(run__end_time="20 us"))
+        self.assertEqual(self.summary("again")["input_warnings"], [])
+        own = ["--set", 'bearings.TB2.ring_mass="0.45 kg"', "--set", 'bearings.catalogue="6018"']
+        self.succeed("run", "own/drop.toml", "-o", "own-mass", *settings(run__end_time="20 us"), *own)
+        self.assertEqual(tomllib.loads((self.folder / "own-mass/parameters.toml").read_text())["bearings"]["TB2"]["ring_mass"], "0.45 kg")
+        # A wrong name is told at its place, and once; where every bearing has a name it has no effect, and that is told.
+        done = self.call("check", "own/drop.toml", "--set", 'bearings.catalogue="6081"')
+        self.assertEqual(done.returncode, 2)
+        self.assertEqual(done.stderr.count("the catalogue has no such bearing"), 1, done.stderr)
+        self.assertIn('--set bearings.catalogue: bearings.catalogue = "6081": the catalogue has no such bearing', done.stderr)
+        self.write("own/drop.toml", machine)
+        self.assertIn("bearings.catalogue has no effect: every touchdown bearing has a value of its own", self.succeed("check", "own/drop.toml", "--set", 'bearings.catalogue="6020"').stderr)
+
+    def test_a_count_of_all_bearings_makes_sets_of_all(self):
+        case = '[bearings]\ncount = 2\n' + "".join(f'[bearings.{name}]\ncatalogue = "7014-25"\nhousing_diameters = ["110 mm", "130 mm"]\n{{}}' for name in ("TB1", "TB2"))
+        found = []
+        for text in (case.format("", ""), case.replace("[bearings]\ncount = 2\n", "").format("count = 2\n", "count = 2\n")):
+            self.case(text)
+            self.succeed("run", "drop.toml", "-o", "out", "--force", *settings(run__end_time="1 us"))
+            bearings = tomllib.loads((self.folder / "out/parameters.toml").read_text())["bearings"]
+            found.append([(bearings[name]["rows"], bearings[name]["width"], bearings[name]["C0"]) for name in ("TB1", "TB2")])
+        self.assertEqual(found[0], found[1])
 
     def test_a_catalogue_bearing_goes_before_what_a_base_says_of_it(self):
         self.case('[bearings.TB1]\ncatalogue = "61914"\nhousing_diameters = ["100 mm", "120 mm"]\n')
