@@ -235,6 +235,12 @@ struct Layers {
   fs::path folder = {};  ///< of files that are named there
 };
 
+/// What is done to each layer before it is laid over its base.
+void complete_layer(Node& tree, const fs::path& file, const Node& base, LayerNotes& notes) {
+  load_catalogue_bearings(tree, file, base, notes);
+  spell_limits(tree, base, notes.faults);
+}
+
 /// Puts settings, files that the tree names, and built-in materials into a tree.
 void complete_tree(Node& tree, const fs::path& file, const Layers& layers, const ReadFile& geometry,
                    LayerNotes& notes) {
@@ -245,9 +251,11 @@ void complete_tree(Node& tree, const fs::path& file, const Layers& layers, const
       if (!names_entry(setting)) apply_setting(to, setting);
   };
   apply_to(over);
-  load_catalogue_bearings(over, file, tree, notes);
+  complete_layer(over, file, tree, notes);
   apply_to(tree);  // finds out whether each can be set
+  spell_set_limits(tree);
   tree = merged(tree, over);
+  drop_replaced_limits(tree);
   load_parts_of_case(tree, layers.folder);  // before the keys are declared, which are theirs, too
   set_entries(tree, settings);
   make_sets(tree, notes.faults);
@@ -313,15 +321,13 @@ std::vector<Setting> settings_of(const std::vector<std::string>& overrides) {
   return settings;
 }
 
-CompleteLayer with_catalogue(LayerNotes& notes) {
-  return [&notes](Node& tree, const fs::path& file, const Node& base) {
-    load_catalogue_bearings(tree, file, base, notes);
-  };
+CompleteLayer completing(LayerNotes& notes) {
+  return [&notes](Node& tree, const fs::path& file, const Node& base) { complete_layer(tree, file, base, notes); };
 }
 
 /// A tree of no file, laid over its base.
 Node with_base(Node tree, const fs::path& file, const fs::path& folder, LayerNotes& notes) {
-  const CompleteLayer complete = with_catalogue(notes);
+  const CompleteLayer complete = completing(notes);
   const Node* base = tree.find("base");
   if (!base) {
     complete(tree, file, Node::table());
@@ -344,27 +350,27 @@ Node read_named_toml(const fs::path& file, const CompleteLayer& complete) {
 
 Case read_case(const fs::path& file, const std::vector<std::string>& overrides) {
   return case_of(file, {settings_of(overrides)},
-                 [&](LayerNotes& notes) { return read_named_toml(file, with_catalogue(notes)); });
+                 [&](LayerNotes& notes) { return read_named_toml(file, completing(notes)); });
 }
 
 Case read_case_text(std::string_view text, const fs::path& folder, const std::string& name,
                     const std::vector<std::string>& overrides) {
   const fs::path file = folder / (name + ".toml");
   return case_of(file, {settings_of(overrides)},
-                 [&](LayerNotes& notes) { return read_toml_text(text, file, with_catalogue(notes)); });
+                 [&](LayerNotes& notes) { return read_toml_text(text, file, completing(notes)); });
 }
 
 Case read_given_case(const GivenCase& given, const std::vector<Setting>& settings) {
   return case_of(given.file, {settings, given.folder}, [&](LayerNotes& notes) {
     if (given.tree) return with_base(*given.tree, given.file, given.folder, notes);
-    return given.text ? read_toml_text(*given.text, given.file, with_catalogue(notes))
-                      : read_named_toml(given.file, with_catalogue(notes));
+    return given.text ? read_toml_text(*given.text, given.file, completing(notes))
+                      : read_named_toml(given.file, completing(notes));
   });
 }
 
 CaseFamily::CaseFamily(const fs::path& file) : file_(file) {
   LayerNotes notes;
-  tree_ = read_named_toml(file, with_catalogue(notes));
+  tree_ = read_named_toml(file, completing(notes));
   notes.faults.throw_if_any();
 }
 

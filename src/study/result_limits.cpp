@@ -127,6 +127,18 @@ std::string range_in_words(const Json& opinion, const Json& limit) {
   return {};
 }
 
+/// Bounds that no value can meet together. @param limits  each of one result
+void refuse_empty_bands(const std::vector<Limit>& limits, Faults& faults) {
+  for (const auto& upper : limits)
+    for (const auto& lower : limits)
+      if (upper.max && lower.min && upper.pattern == lower.pattern && *lower.min > *upper.max)
+        faults.add(lower.where,
+                   fmt::format("limits.{}: min = {} is larger than max = {}, so no drop meets both.", lower.pattern,
+                               lower.min_text, upper.max_text),
+                   upper.where == lower.where ? "Exchange them, or check their units."
+                                              : fmt::format("The max is at {}.", to_string(upper.where)));
+}
+
 }  // namespace
 
 std::vector<std::pair<std::string, double>> numbers_of(const Json& summary) {
@@ -194,21 +206,30 @@ std::string advice_on_result(const std::string& name, const std::vector<std::str
 std::vector<Limit> resolved_limits(const std::vector<Limit>& limits, const std::vector<std::string>& names,
                                    const std::function<std::string(const std::string&)>& unit_of, Faults& faults) {
   std::vector<Limit> resolved;
+  const auto is_named = [&](const std::string& name, std::string Limit::*text) {
+    return std::any_of(limits.begin(), limits.end(),
+                       [&](const Limit& limit) { return limit.pattern == name && !(limit.*text).empty(); });
+  };
   for (const auto& limit : limits) {
-    const std::size_t before = resolved.size();
+    bool is_on_something = false;
     for (const auto& name : names) {
       if (!fits(name, limit.pattern)) continue;
+      is_on_something = true;
       Limit one = limit;
       one.pattern = name;
-      one.max = bound(limit, name, limit.max_text, unit_of(name), faults);
-      one.min = bound(limit, name, limit.min_text, unit_of(name), faults);
-      resolved.push_back(std::move(one));
+      // What names the result itself goes before what names it with others.
+      if (limit.pattern != name && is_named(name, &Limit::max_text)) one.max_text.clear();
+      if (limit.pattern != name && is_named(name, &Limit::min_text)) one.min_text.clear();
+      one.max = bound(limit, name, one.max_text, unit_of(name), faults);
+      one.min = bound(limit, name, one.min_text, unit_of(name), faults);
+      if (!one.max_text.empty() || !one.min_text.empty()) resolved.push_back(std::move(one));
     }
-    if (resolved.size() == before)
+    if (!is_on_something)
       faults.add(limit.where,
                  fmt::format("limits.{}: no result is called so, so the limit is on nothing.", limit.pattern),
                  advice_on_result(limit.pattern, names));
   }
+  refuse_empty_bands(resolved, faults);
   return resolved;
 }
 

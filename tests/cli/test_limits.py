@@ -96,6 +96,65 @@ class Limits(ProgramTest):
         self.succeed("run", "out/parameters.toml", "-o", "again")
         self.assertEqual(self.summary("again")["limits"], self.summary()["limits"])
 
+    def allowed(self, *arguments):
+        """Limits of a short run: (key, kind, limit)."""
+        self.succeed("run", *arguments, "-o", "out", "--force", *settings(run__end_time="1 ms"))
+        return [(limit["key"], limit["kind"], limit["limit"]) for limit in self.summary().get("limits", [])]
+
+    def test_an_upper_layer_replaces_a_limit_in_any_spelling(self):
+        other = PEAK.replace("TB1", "TB2")
+        star = PEAK.replace("TB1", "*")
+        dotted, quoted, of_any = f'{PEAK}.max = "{{}} kN"\n', f'"{PEAK}" = {{{{ max = "{{}} kN" }}}}\n', f'"{star}" = {{{{ max = "{{}} kN" }}}}\n'
+        table = f'[limits.{PEAK}]\nmax = "{{}} kN"\n'
+        for below in (dotted, quoted, table, of_any):
+            self.limited(below.format(4) + ("" if below == table else 'rotor.mass.min = 1\n'), "base.toml")
+            for above in (dotted, quoted, table, of_any):
+                with self.subTest(below=below, above=above):
+                    self.write("top.toml", 'base = "base.toml"\n[limits]\n' + above.format(20))
+                    found = [(key, limit) for key, kind, limit in self.allowed("top.toml") if kind == "max"]
+                    expected = {PEAK: 20e3}
+                    if of_any in (below, above):
+                        expected[other] = 20e3 if above == of_any else 4e3
+                    self.assertEqual(sorted(found), sorted(expected.items()))
+            # A setting is the topmost layer.
+            for key in (PEAK, star):
+                found = [limit for name, kind, limit in self.allowed("base.toml", "--set", f'limits."{key}".max="30 kN"') if name == PEAK]
+                self.assertEqual(found, [30e3], (below, key))
+        # Three layers: each goes before those below; the other bound of a result stays.
+        self.limited(f'{PEAK} = {{ max = "1 kN", min = "10 N" }}\n', "a.toml")
+        self.write("b.toml", f'base = "a.toml"\n[limits]\n"{PEAK}" = {{ max = "2 kN" }}\n')
+        self.write("c.toml", f'base = "b.toml"\n[limits]\n{PEAK}.max = "3 kN"\n')
+        self.assertEqual(self.allowed("c.toml"), [(PEAK, "max", 3e3), (PEAK, "min", 10)])
+        self.write("d.toml", f'base = "c.toml"\n[limits]\n"{star}" = {{ max = "5 kN" }}\n')
+        self.assertEqual(sorted(self.allowed("d.toml")), [(PEAK, "max", 5e3), (PEAK, "min", 10), (other, "max", 5e3)])
+        self.succeed("run", "out/parameters.toml", "-o", "again")
+        self.assertEqual(self.summary("again")["limits"], self.summary()["limits"])
+
+    def test_a_result_named_itself_goes_before_a_star_of_the_same_layer(self):
+        star = PEAK.replace("TB1", "*")
+        case = self.limited(f'"{star}" = {{ max = "4 kN", min = "1 N" }}\n{PEAK}.max = "20 kN"\n')
+        self.assertEqual(sorted(self.allowed(case)), [(PEAK, "max", 20e3), (PEAK, "min", 1), (PEAK.replace("TB1", "TB2"), "max", 4e3), (PEAK.replace("TB1", "TB2"), "min", 1)])
+
+    def test_bounds_that_nothing_can_meet_and_bounds_given_twice_are_refused(self):
+        for text, says in ((f'{PEAK} = {{ max = "5 kN", min = "6 kN" }}\n', r"drop\.toml:4:\d+: limits\.bearings\.TB1\.peak_contact_force: min = 6 kN is larger than max = 5 kN, so no drop meets both"),
+                           (f'{PEAK}.max = "5 kN"\n"{PEAK}" = {{ max = "6 kN" }}\n', r"drop\.toml:5:\d+: limits\.bearings\.TB1\.peak_contact_force\.max is given twice\.\s+The other one is at drop\.toml:4")):
+            with self.subTest(says):
+                done = self.call("check", self.limited(text))
+                self.assertEqual(done.returncode, 2, done.stdout)
+                self.assertRegex(done.stderr, says)
+        self.limited("")
+        self.write("study.toml", f'case = "drop.toml"\n[vary]\n"contact.friction_coefficient" = [0.05]\n[design]\nkind = "grid"\n[limits]\n"{PEAK}" = {{ max = "5 kN", min = "6 kN" }}\n')
+        done = self.call("study", "study.toml", "-o", "s")
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("no drop meets both", done.stderr)
+
+    def test_a_study_replaces_only_the_bound_that_it_gives(self):
+        self.limited(f'{PEAK} = {{ max = "1 kN" }}\n')
+        self.write("study.toml", f'case = "drop.toml"\n[vary]\n"contact.friction_coefficient" = [0.05]\n[design]\nkind = "grid"\n[limits]\n"{PEAK}" = {{ min = "1 N" }}\n')
+        self.succeed("study", "study.toml", "-o", "s")
+        limits = [(limit.get("max"), limit.get("min")) for limit in json.loads((self.folder / "s/study.json").read_text())["limits"]]
+        self.assertEqual(sorted(limits, key=str), sorted([(None, 1.0), (1e3, None)], key=str))
+
     def test_a_study_takes_the_limits_of_its_case(self):
         self.limited(f'{PEAK}.max = "1 kN"\n{HEAT}.max = "1 kJ"\n')
         self.write("study.toml", f'case = "drop.toml"\n[vary]\n"contact.friction_coefficient" = [0.05, 0.1]\n[design]\nkind = "grid"\n[limits]\n"{PEAK}" = {{ max = "50 kN" }}\n')

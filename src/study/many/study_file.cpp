@@ -221,11 +221,14 @@ Study read_study(const fs::path& file, const std::vector<std::string>& overrides
   require_effect(overrides, study, faults);
   read_limits(raw.limits, study.limits, faults);
   // Those of the case hold in each of its drops, unless the study has others. A fit judges no drop.
-  const std::size_t n_own = study.limits.size();
-  for (const auto& limit : study.base.parameters.limits)
-    if (!raw.fit && std::none_of(study.limits.begin(), study.limits.begin() + static_cast<std::ptrdiff_t>(n_own),
-                                 [&](const Limit& own) { return fits(limit.pattern, own.pattern); }))
-      study.limits.push_back(limit);
+  const std::vector<Limit> own_limits = study.limits;
+  for (Limit limit : study.base.parameters.limits) {
+    for (const auto text : {&Limit::max_text, &Limit::min_text})
+      if (std::any_of(own_limits.begin(), own_limits.end(),
+                      [&](const Limit& own) { return fits(limit.pattern, own.pattern) && !(own.*text).empty(); }))
+        (limit.*text).clear();
+    if (!raw.fit && !(limit.max_text.empty() && limit.min_text.empty())) study.limits.push_back(limit);
+  }
   read_derived(raw.derived, study, faults);
   study.keep_results = texts_of(raw.keep.results, "keep.results", faults);
   study.keep_series = texts_of(raw.keep.series, "keep.series", faults);
