@@ -257,6 +257,7 @@ void complete_tree(Node& tree, const fs::path& file, const Layers& layers, const
   tree = merged(tree, over);
   drop_replaced_limits(tree);
   load_parts_of_case(tree, layers.folder);  // before the keys are declared, which are theirs, too
+  load_common_catalogue(tree, file, notes.faults);
   set_entries(tree, settings);
   make_sets(tree, notes.faults);
   load_rotor_geometry(tree, layers.folder, geometry, notes.faults);
@@ -265,23 +266,25 @@ void complete_tree(Node& tree, const fs::path& file, const Layers& layers, const
   const Node* materials = tree.find("materials");
   if (!materials)
     tree.set("materials", default_materials());
-  load_common_catalogue(tree, file, notes.faults);
   else if (materials->is_table())
     tree.set("materials", merged(default_materials(), *materials), position_of(tree, "materials"));
 }
 
-/// What is said about a sound case: unusual values, and the complete text.
-void add_words(const ErasedSection& declaration, Case& result) {
+/// What is said about a sound case.
+enum class Words { none, warnings, warnings_and_text };
+
+void add_words(const ErasedSection& declaration, Words words, Case& result) {
+  if (words == Words::none) return;
   for (auto& warning : look_for_slips(*declaration, result.parameters, result.tree))
     result.warnings.push_back(std::move(warning));
   look_for_single_entries(result.tree, result.warnings);
   add_keys(result.warnings, result.tree);
-  result.resolved = resolve({declaration}, result.tree);
+  if (words == Words::warnings_and_text) result.resolved = resolve({declaration}, result.tree);
 }
 
 /// @param read  the tree of `file` with its bases
 Case case_of(const fs::path& file, const Layers& layers, const std::function<Node(LayerNotes&)>& read,
-             const ReadFile& geometry = read_geometry, bool has_words = true) {
+             const ReadFile& geometry = read_geometry, Words words = Words::warnings_and_text) {
   Case result;
   result.file = file;
   result.name = file.stem().string();
@@ -306,7 +309,7 @@ Case case_of(const fs::path& file, const Layers& layers, const std::function<Nod
     if (result.parameters.rotor.balance_grade)
       result.parameters.rotor.unbalance = unbalance_by_grade(result.parameters);
     result.warnings = std::move(notes.warnings);
-    if (has_words) add_words(section->erased, result);
+    add_words(section->erased, words, result);
     return result;
   } catch (const InputError& error) {
     std::vector<Fault> faults = error.faults();
@@ -374,14 +377,15 @@ CaseFamily::CaseFamily(const fs::path& file) : file_(file) {
   notes.faults.throw_if_any();
 }
 
-Case CaseFamily::read(const std::vector<std::string>& overrides) const {
+Case CaseFamily::read(const std::vector<std::string>& overrides, bool has_warnings) const {
   const auto geometry = [this](const fs::path& file) {
     const std::lock_guard guard(lock_);
     const auto found = geometries_.find(file);
     return found != geometries_.end() ? found->second : geometries_.emplace(file, read_geometry(file)).first->second;
   };
   return case_of(
-      file_, {settings_of(overrides)}, [this](LayerNotes&) { return tree_; }, geometry, false);
+      file_, {settings_of(overrides)}, [this](LayerNotes&) { return tree_; }, geometry,
+      has_warnings ? Words::warnings : Words::none);
 }
 
 std::vector<std::string> chosen_touchdowns(const Case& c, const std::string& bearing) {

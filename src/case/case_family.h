@@ -14,8 +14,9 @@ namespace rotordrop {
 class CaseFamily {
  public:
   explicit CaseFamily(const std::filesystem::path& file);
-  /// As read_case(), but without Case::resolved and Case::warnings.
-  [[nodiscard]] Case read(const std::vector<std::string>& overrides) const;
+  /// As read_case(), but without Case::resolved and, unless `has_warnings`, Case::warnings; those of what one layer of the files replaces in another
+  /// are never among them.
+  [[nodiscard]] Case read(const std::vector<std::string>& overrides, bool has_warnings = false) const;
 
  private:
   std::filesystem::path file_;

@@ -120,7 +120,7 @@ int study_command_of(const StudyCommand& command, Ranks* ranks) {
   options.force = command.force;
   options.resume = command.resume;
   options.tell = [](const std::string& text) { fmt::print(stderr, "note: {}\n", text); };
-  check_points(study, design, command.jobs);
+  tell_warnings(check_points(study, design, command.jobs));
   const ProbedResults results = probe_results(study, design, options.evaluate);
   if (const auto note = choose_lanes(study, design); !note.empty()) options.tell(note);
   if (!command.quiet) fmt::print("{}", header(study, design));

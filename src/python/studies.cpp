@@ -46,7 +46,11 @@ py::dict run(const std::filesystem::path& file, const std::vector<std::string>& 
     }
     const Design design = study.is_search() ? SearchSpace(study).corners() : make_design(study);
     Watch watch;
-    check_points(study, design, call.n_workers, [&watch] { watch.look(); });
+    const auto unusual = check_points(study, design, call.n_workers, [&watch] { watch.look(); });
+    {
+      const py::gil_scoped_acquire lock;
+      warn(faults_to_python(unusual));
+    }
     probe_results(study, design, options.evaluate);
     if (const auto note = choose_lanes(study, design); !note.empty()) options.tell(note);
     outcome = study.is_search() ? run_search(study, options) : run_study(study, design, options);

@@ -387,6 +387,27 @@ kind = "list"
         self.assertRegex(self.study("out", "--dry-run").stdout, r"about .* of CPU one by one, .* in lanes, and .* of results")
         self.assertFalse((self.folder / "out").exists())
 
+    def test_what_is_unusual_in_points_alone_is_told_before_the_drops(self):
+        varied = 'case = "drop.toml"\n[vary]\nrun.initial_speed = ["1000 rpm", 15200]\nrun.ambient = [70, "20 degC", 80]\nrun.end_time = ["1 ms", "2 ms"]\n[design]\nkind = "grid"\n'
+        self.write("v.toml", varied)
+        for arguments in (["--dry-run"], ["--quiet"]):
+            said = " ".join(self.study("out", *arguments, file="v.toml").stderr.split())
+            self.assertEqual(said.count("warning:"), 4, said)  # the surface in both bearings, too
+            self.assertRegex(said, r"warning: v\.toml:3:\d+: 6 of 12 points: run\.initial_speed = 15200 rad/s is unusual: .*15200 rpm.* Point \d+: run\.initial_speed = 15200, run\.ambient = ")
+            self.assertRegex(said, r"warning: v\.toml:4:\d+: 8 of 12 points: run\.ambient = 70 K is unusual")
+            self.assertIn("6 of 12 points: the rotor's surface runs at", said)
+        # What the base has is told once, and not again for its points.
+        said = self.study("out", "--dry-run", "--set", "bearings.TB1.f2=25", file="v.toml").stderr
+        self.assertEqual(said.count("bearings.TB1.f2 = 25 is unusual"), 1)
+        self.assertNotIn("points: bearings.TB1.f2", said)
+        self.assertEqual(self.study("out2", "--dry-run", file="s.toml").stderr, "")
+        # Of a range: one warning, whatever the drawn values; of a search the corners are looked at.
+        self.write("m.toml", 'case = "drop.toml"\n[vary]\nbearings.TB1.support.K_y = { range = [2.7, 2.7e9] }\n[minimise]\nresult = "bearings.TB1.peak_contact_force"\nevaluations = 6\n')
+        self.write("l.toml", 'case = "drop.toml"\n[vary]\nbearings.TB1.support.K_y = { range = [1, 1000] }\nrun.end_time = ["1 ms"]\n[design]\nkind = "latin-hypercube"\nsize = 8\n')
+        self.assertRegex(self.study("out3", "--dry-run", file="l.toml").stderr, r"l\.toml:3:\d+: 8 of 8 points: bearings\.TB1\.support\.K_y = [0-9.]+ N/m is unusual")
+        self.assertEqual(self.study("out3", "--dry-run", file="l.toml").stderr.count("N/m is unusual"), 1)
+        self.assertRegex(self.study("out3", "--dry-run", file="m.toml").stderr, r"points: bearings\.TB1\.support\.K_y = 2\.7 N/m is unusual")
+
     def test_bad_input_is_told_before_anything_is_written(self):
         for change, message in ((("0.05, 0.3", "0.3, 0.05"), "range is empty"), (("size = 12", "size = 1000000000000"), "size"),
                                 (("contact.friction_coefficient", "contact.friction_coeficient"), "Did you mean"), (("0.05, 0.3", "-0.3, 0.3"), "no valid case"),

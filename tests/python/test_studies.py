@@ -113,6 +113,17 @@ class Studies(PackageTest):
                 rd.study(self.write(2), self.folder / "out", {"run.ambient": "700 K"}, progress=lambda _: self.fail("it ran"))
         self.assertFalse((self.folder / "out").exists())
 
+    def test_what_points_have_that_is_unusual_is_warned_of_before_the_drops(self):
+        file = self.write(2)
+        file.write_text(file.read_text().replace("[design]", "run.ambient = [70, 300]\n[design]"))
+        with warnings.catch_warnings():
+            warnings.simplefilter("error", rd.CaseWarning)
+            with self.assertRaisesRegex(rd.CaseWarning, r"run\.ambient: 1 of 2 points: run\.ambient = 70 K is unusual"):
+                rd.study(file, self.folder / "out", progress=lambda _: self.fail("it ran"))
+        self.assertFalse((self.folder / "out").exists())
+        with self.assertWarnsRegex(rd.CaseWarning, "1 of 2 points"):
+            rd.study(file, self.folder / "out", {"run.end_time": "2 ms"})
+
     def test_what_the_case_has_that_is_unusual_is_warned_of_and_notes_are_kept(self):
         file = self.write(2)
         file.write_text(file.read_text().replace("lanes = false", "lanes = true"))

@@ -105,7 +105,7 @@ def study(
     progress    called five times a second with a StudyProgress; what it raises ends the study, and so does Ctrl-C: `resume=True` continues it
     force       replaces results that are in the directory
 
-    What the case has that is allowed but unusual is a CaseWarning. InputError for a wrong study, with the first points that are no valid cases. SolverError if it stopped after a failed drop, as on_failure = "stop" asks.
+    What the case or one of its points has that is allowed but unusual is a CaseWarning, before the first drop. InputError for a wrong study, with the first points that are no valid cases. SolverError if it stopped after a failed drop, as on_failure = "stop" asks.
     """
     if jobs < 0:
         raise refused("jobs", f"must be at least 0 and is {jobs}")

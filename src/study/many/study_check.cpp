@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cctype>
 #include <chrono>
 #include <condition_variable>
 #include <exception>
@@ -54,20 +55,91 @@ void require_machine(const Case& c) {
   }
 }
 
+/// A warning's words without their numbers: drawn values differ in each point.
+std::string kind_of_warning(const Fault& warning) {
+  std::string kind = warning.key + "\n" + to_string(warning.where) + "\n";
+  const auto is_of_word = [](unsigned char c) { return std::isalnum(c) || c == '_'; };
+  const std::string_view text = warning.message;
+  for (std::size_t i = 0; i < text.size();)
+    if (std::isdigit(static_cast<unsigned char>(text[i])) && (i == 0 || !is_of_word(text[i - 1])))
+      i = std::min(text.find_first_not_of("0123456789.e+-", i), text.size());
+    else
+      kind += text[i++];
+  return kind;
+}
+
+/// What is unusual in points: each kind once. Any number of threads may add.
+class PointWarnings {
+ public:
+  explicit PointWarnings(const std::vector<Fault>& known) : known_(known) {}
+
+  void add(std::size_t point, const std::vector<Fault>& warnings) {
+    std::map<std::string, const Fault*> kinds;
+    for (const Fault& warning : warnings)
+      if (std::find(known_.begin(), known_.end(), warning) == known_.end())
+        kinds.emplace(kind_of_warning(warning), &warning);
+    const std::scoped_lock guard(lock_);
+    for (const auto& [kind, warning] : kinds) {
+      Found& found = found_.try_emplace(kind, Found{point, 0, *warning}).first->second;
+      ++found.n_points;
+      if (point < found.point) found = {point, found.n_points, *warning};
+    }
+  }
+
+  [[nodiscard]] std::vector<Fault> told(const Study& study, const Design& design) const {
+    std::vector<const Found*> sorted;
+    for (const auto& entry : found_) sorted.push_back(&entry.second);
+    std::stable_sort(sorted.begin(), sorted.end(), [](const Found* a, const Found* b) { return a->point < b->point; });
+    const std::size_t n = n_points(study, design);
+    std::vector<Fault> warnings;
+    for (const Found* found : sorted) {
+      Fault warning = found->warning;
+      warning.where = position_of_key(study, warning);
+      warning.message = fmt::format("{} of {} points: {}", found->n_points, n, warning.message);
+      warning.advice += fmt::format("{}Point {}: {}.", warning.advice.empty() ? "" : "\n", found->point,
+                                    named(study, point_of(study, design, found->point)));
+      warnings.push_back(std::move(warning));
+    }
+    return warnings;
+  }
+
+ private:
+  struct Found {
+    std::size_t point, n_points;  ///< the first point that has it
+    Fault warning;
+  };
+
+  /// Where the study varies what a warning is about; else its file.
+  static SourcePosition position_of_key(const Study& study, const Fault& warning) {
+    for (const VariedParameter& parameter : study.parameters)
+      for (const DeclaredKey& key : parameter.keys)
+        if (key.name == warning.key) return parameter.where;
+    return {study.file.string(), 0, 0};
+  }
+
+  const std::vector<Fault>& known_;
+  std::mutex lock_;
+  std::map<std::string, Found> found_;
+};
+
 }  // namespace
 
-void check_points(const Study& study, const Design& design, unsigned n_workers, const std::function<void()>& look) {
+std::vector<Fault> check_points(const Study& study, const Design& design, unsigned n_workers,
+                                const std::function<void()>& look) {
   const std::size_t n = n_points(study, design);
   constexpr std::size_t n_told = 5;
   std::atomic<std::size_t> next{0}, n_bad{0};
   std::mutex lock;
   std::map<std::size_t, InputError> bad;
   std::exception_ptr interruption;
+  PointWarnings warnings(study.base.warnings);
   const auto check = [&](const std::function<void()>& between) {
     for (std::size_t i; n_bad < 100 && (i = next.fetch_add(1)) < n;) {
       try {
         if (between) between();
-        require_machine(study.cases->read(overrides_of(study, point_of(study, design, i))));
+        const Case c = study.cases->read(overrides_of(study, point_of(study, design, i)), true);
+        require_machine(c);
+        warnings.add(i, c.warnings);
       } catch (const InputError& error) {
         ++n_bad;
         const std::scoped_lock guard(lock);
@@ -85,7 +157,7 @@ void check_points(const Study& study, const Design& design, unsigned n_workers, 
     check(look);
   }
   if (interruption) std::rethrow_exception(interruption);
-  if (bad.empty()) return;
+  if (bad.empty()) return warnings.told(study, design);
   Faults faults;
   std::size_t told = 0;
   for (const auto& [i, error] : bad) {
@@ -100,7 +172,7 @@ void check_points(const Study& study, const Design& design, unsigned n_workers, 
         {study.file.string(), 0, 0},
         fmt::format("{}{} further points are no valid cases.", n_bad >= 100 ? "at least " : "", bad.size() - n_told),
         "Narrow the ranges. A normal distribution reaches any value; \"truncated-normal\" has ends.");
-  faults.throw_if_any();
+  throw InputError(faults);
 }
 
 ProbedResults probe_results(Study& study, const Design& design, const Evaluator& evaluate) {

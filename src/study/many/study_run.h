@@ -55,7 +55,9 @@ unsigned workers_of(unsigned asked, std::size_t n_tasks);
 
 /// Reads the case of every point and builds its machine, but for meshes. @throws InputError with the first faulty points
 /// @param look  called now and then by the thread that calls this; what it throws ends the checking
-void check_points(const Study& study, const Design& design, unsigned n_workers, const std::function<void()>& look = {});
+/// @return what is unusual in points and not in the study's base case, each once, with the number of points and an example
+std::vector<Fault> check_points(const Study& study, const Design& design, unsigned n_workers,
+                                const std::function<void()>& look = {});
 
 /// What a study knows of its results before it runs: the first point is begun and stopped after its first step.
 struct ProbedResults {
