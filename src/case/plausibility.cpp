@@ -12,6 +12,7 @@
 #include "bearing/support/linear_support_parameters.h"
 #include "case/slips/slips.h"
 #include "case/usual_values.h"
+#include "thermal/field_parameters.h"
 
 namespace rotordrop {
 namespace {
@@ -39,6 +40,51 @@ void look_at_materials(const CaseParameters& p, const Node& tree, std::vector<Fa
   for (const auto& [name, m] : p.materials)
     for (const auto& slip : material_slips("the material " + name, {m.rho, m.E, m.k, m.c, m.nu, m.alpha}))
       warn(warnings, position_of_value(table_at(tree, "materials", name), slip.key), slip.message, slip.advice);
+}
+
+const Node& fe_table(const Node& tree) {
+  const Node& thermal = table_at(tree, "thermal");
+  const Node* fe = thermal.find(fe_name);
+  return fe && fe->is_table() ? *fe : thermal;
+}
+
+/// The end of the drop, or of `rotordrop heat` on the same case [s].
+double latest_end_of_all(const CaseParameters& p) {
+  double end = p.run.latest_end();
+  if (!p.heat) return end;
+  if (p.heat->end_time) end = std::max(end, *p.heat->end_time);
+  if (!p.heat->output_times.empty()) end = std::max(end, p.heat->output_times.back());
+  return end;
+}
+
+/// Fields that are not written, since nothing has them or the run is over.
+void look_at_fields(const CaseParameters& p, const Node& tree, std::vector<Fault>& warnings) {
+  const FeParameters& fe = p.thermal.fe;
+  if (fe.field_times.empty() && !fe.field_interval) return;
+  const Node& table = fe_table(tree);
+  const bool runs_sections = p.thermal.runs_sections() || (p.heat && p.heat->models);
+  if (!runs_sections) {
+    warn(warnings, position_of_value(table, fe.field_times.empty() ? "field_interval" : "field_times"),
+         fmt::format("thermal.fe.{} has no effect: no finite elements run (thermal.models).",
+                     fe.field_times.empty() ? "field_interval" : "field_times"),
+         "Add \"fe\" to thermal.models, or take the key out.");
+    return;
+  }
+  const double end = latest_end_of_all(p);
+  if (const auto n = std::count_if(fe.field_times.begin(), fe.field_times.end(), [&](double t) { return t > end; });
+      n > 0)
+    warn(warnings, position_of_value(table, "field_times"),
+         fmt::format("{} of the {} thermal.fe.field_times lie beyond the end of the run, {:.6g} s: no field is written "
+                     "there.",
+                     n, fe.field_times.size(), end),
+         "Bare numbers are in seconds. Check run.end_time.");
+  if (fe.field_interval && *fe.field_interval > end)
+    warn(warnings, position_of_value(table, "field_interval"),
+         fmt::format(
+             "thermal.fe.field_interval = {:.6g} s is longer than the run, {:.6g} s: only the field at the start "
+             "is written.",
+             *fe.field_interval, end),
+         "A bare number is in seconds.");
 }
 
 /// What goes for the run as a whole.
@@ -110,6 +156,7 @@ std::vector<Fault> look_for_slips(const SectionDeclaration& section, const CaseP
   look_at_rotor(p, tree, warnings);
   look_at_motion(p, tree, warnings);
   look_at_run(p, tree, warnings);
+  look_at_fields(p, tree, warnings);
   look_for_common_keys_without_effect(tree, warnings);
   look_at_bearings(p, tree, warnings);
   look_at_fits(p, tree, warnings);
@@ -183,6 +230,9 @@ void check_output(const CaseParameters& p, const Node& tree, Faults& faults) {
                       "are written.",
                       key, interval, p.run.latest_end(), p.run.latest_end() / interval, most_rows),
           "Make the interval longer or the run shorter.");
+  if (p.thermal.runs_sections())
+    check_number_of_fields("thermal.fe.field_interval", p.thermal.fe.field_interval.value_or(0.), p.run.latest_end(),
+                           position_of_value(fe_table(tree), "field_interval"), faults);
 }
 
 }  // namespace rotordrop

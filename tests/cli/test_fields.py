@@ -148,6 +148,26 @@ class DropFields(ProgramTest):
                     self.assertAlmostEqual(high, highest, delta=1e-3)
             self.assertGreater(self.bore_of(self.fields("TB1")[-1][1])[1], 293.15 + 1, "nothing is warm: the test shows nothing")
 
+    def test_fields_without_end_and_fields_that_are_not_written_are_told(self):
+        def said(*keys, command=("check", "drop.toml")):
+            done = self.call(*command, *[word for key in keys for word in ("--set", key)])
+            return done.returncode, " ".join(done.stderr.split())
+
+        self.case('[thermal]\nmodels = ["lumped", "fe"]\n')
+        for command in (("check", "drop.toml"), ("run", "drop.toml", "-o", "out")):
+            code, told = said("thermal.fe.field_interval=1e-8", command=command)
+            self.assertEqual(code, 2)
+            self.assertIn("thermal.fe.field_interval = 1e-08 s and an end at 0.01 s make 1e+06 fields of each section; at most 1e+05 are written", told)
+        self.assertFalse((self.folder / "out").exists())
+        self.assertEqual(said("thermal.fe.field_interval=1e-6"), (0, ""))
+        self.assertRegex(said("thermal.fe.field_times=[5e-3, 1, 10]")[1], r"warning: .*2 of the 3 thermal\.fe\.field_times lie beyond the end of the run, 0\.01 s")
+        self.assertRegex(said("thermal.fe.field_interval=1")[1], r"warning: .*field_interval = 1 s is longer than the run, 0\.01 s")
+        self.assertRegex(said('thermal.models=["lumped"]', "thermal.fe.field_interval=1e-3")[1], r"warning: .*thermal\.fe\.field_interval has no effect: no finite elements run")
+        self.write("disc.toml", CASE.replace('field_interval = "3 ms"', "field_interval = 1e-8"))
+        code, told = said(command=("check", "disc.toml"))
+        self.assertEqual(code, 2)
+        self.assertIn("disc.toml:4:18: field_interval = 1e-08 s and an end at 0.01 s make 1e+06 fields", told)
+
     def test_a_windowed_coupling_writes_at_the_windows_end_that_follows(self):
         self.succeed("run", self.case(DROP.format(coupling="windowed")), "-o", "out", "--quiet")
         with h5py.File(self.folder / "out/results.h5") as results:

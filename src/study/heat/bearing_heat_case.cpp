@@ -15,6 +15,7 @@
 #include "io/text/toml_reader.h"
 #include "machine/check_machine.h"
 #include "study/heat/recorded_heat.h"
+#include "thermal/field_parameters.h"
 
 namespace rotordrop {
 
@@ -195,6 +196,26 @@ class ProbeFinder {
   std::size_t at_ = 0;
 };
 
+/// Fields of the section against the end of this computation; that of the drop is another one.
+void check_fields(BearingHeatCase& c, Faults& faults) {
+  const ThermalParameters& thermal = c.drop.parameters.thermal;
+  if (!thermal.runs_sections()) return;
+  const Node& drop = c.drop.tree;
+  const Node* table = drop.find("thermal");
+  const Node* fe = table ? table->find(fe_name) : nullptr;
+  const Node& given = fe ? *fe : drop;
+  check_number_of_fields("thermal.fe.field_interval", thermal.fe.field_interval.value_or(0.), c.end_time,
+                         position_of_value(given, "field_interval"), faults);
+  const auto& times = thermal.fe.field_times;
+  if (!times.empty() && times.back() > c.end_time && times.back() <= c.drop.parameters.run.latest_end())
+    c.drop.warnings.push_back(
+        {position_of_value(given, "field_times"),
+         fmt::format("thermal.fe.field_times go up to {:.6g} s, beyond the end of the given heat, "
+                     "{:.6g} s: no field is written there.",
+                     times.back(), c.end_time),
+         "Give a later heat.end_time.", "thermal.fe.field_times"});
+}
+
 }  // namespace
 
 bool is_bearing_heat_case(const std::filesystem::path& file) {
@@ -226,6 +247,7 @@ std::unique_ptr<BearingHeatCase> read_bearing_heat_case(const std::filesystem::p
   c->output_times = p.heat->output_times;
   c->end_time = p.heat->end_time.value_or(c->output_times.empty() ? 0. : c->output_times.back());
   if (c->output_times.empty() || c->output_times.back() < c->end_time) c->output_times.push_back(c->end_time);
+  check_fields(*c, faults);
   build_models(*c);
   ProbeFinder(*c, table, faults).find_all();
   faults.throw_if_any();

@@ -10,6 +10,7 @@
 #include "base/parameters/suggestion.h"
 #include "thermal/heating/boundary_geometry.h"
 #include "thermal/heating/heat_parameters.h"
+#include "thermal/field_parameters.h"
 
 // From the parameters of a case of heat alone to the problem that they state.
 namespace rotordrop {
@@ -323,6 +324,9 @@ class StudyMaker {
       faults_.add(where_fields, "field_times go beyond the last of output_times.", "Give a later run.end_time.");
     if (times.empty() || times.back() <= 0.)
       faults_.add(where, "nothing says how long to compute.", "Give output_times = [...], or run.end_time.");
+    else
+      check_number_of_fields("field_interval", study_.field_interval, times.back(),
+                             position_of_value(tree_, "field_interval"), faults_);
   }
 
   const HeatParameters& p_;
