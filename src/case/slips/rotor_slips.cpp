@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "analysis/facts/coarse_shaft.h"
 #include "analysis/facts/material_slips.h"
 #include "machine/probes.h"
 
@@ -121,6 +122,38 @@ void look_at_body(const CaseParameters& p, const Node& tree, std::vector<Fault>&
   }
 }
 
+/// Elements that are too long for the shaft's bending modes.
+void look_at_lengths(const CaseParameters& p, const Node& tree, std::vector<Fault>& warnings) {
+  constexpr double largest_error = 0.02;  // of a frequency; damping and stiffness of supports are known worse
+  constexpr std::size_t most_named = 6;
+  const RotorGeometry& geometry = p.rotor.geometry;
+  const auto coarse = coarse_shaft(geometry, p.run.initial_speed, largest_error);
+  if (!coarse) return;
+  const Node& rotor = table_at(tree, "rotor");
+  const Node* table = rotor.find("geometry");
+  const Node* elements = table && table->is_table() ? table->find("elements") : nullptr;
+  const std::size_t longest = coarse->elements.front();
+  const SourcePosition where = elements && elements->is_array() && elements->items()[longest].where().is_known()
+                                   ? elements->items()[longest].where()
+                                   : position_of(rotor, "geometry");
+  std::string named;
+  for (std::size_t i = 0; i < std::min(most_named, coarse->elements.size()); ++i) {
+    const ShaftElement& e = geometry.elements[coarse->elements[i]];
+    named += fmt::format("{}element {} ({:.4g} mm: {} pieces)", i ? ", " : "", coarse->elements[i] + 1,
+                         mm(geometry.length(e)), pieces_of(geometry, e, p.run.initial_speed));
+  }
+  if (coarse->elements.size() > most_named) named += fmt::format(" and {} more", coarse->elements.size() - most_named);
+  warn(warnings, where,
+       fmt::format(
+           "elements of the rotor are too long for its bending: mode {} of the free shaft lies at {:.4g} Hz, and "
+           "{:.2g} % lower, at {:.4g} Hz, with its long elements cut.",
+           coarse->mode, coarse->frequency, 100. * (1. - coarse->refined / coarse->frequency), coarse->refined),
+       fmt::format(
+           "A row of the shaft's table is one beam element: cut it into several rows of the same diameter, here {}. "
+           "Numbers of the nodes behind them rise. Elements of one to two diameters are usual.",
+           named));
+}
+
 /// A stationary part that the rotor reaches before, or while, its touchdown bearings hold it.
 void look_at_probes(const CaseParameters& p, const Node& tree, std::vector<Fault>& warnings) {
   const Node* tables = table_at(tree, "rotor").find("probes");
@@ -150,6 +183,7 @@ void look_at_rotor(const CaseParameters& p, const Node& tree, std::vector<Fault>
   look_at_elements(p, tree, warnings);
   look_at_steps(p, tree, warnings);
   look_at_body(p, tree, warnings);
+  look_at_lengths(p, tree, warnings);
   look_at_probes(p, tree, warnings);
 }
 
