@@ -64,13 +64,13 @@ Section<ShoulderParameters> shoulder_section() {
   s.quantity("gap_minus_x", &P::gap_minus_x,
              {.unit = "m",
               .range = at_least(0),
-              .usual = or_zero(between(1e-5, 0.01)),
+              .usual = or_zero(between(1e-5, 2e-3)),
               .help = "Axial gap to the shoulder at the ring's -x face, with ring and rotor in their unloaded "
                       "positions. This shoulder stops a rotor moving towards +x. If not given, there is no shoulder."});
   s.quantity("gap_plus_x", &P::gap_plus_x,
              {.unit = "m",
               .range = at_least(0),
-              .usual = or_zero(between(1e-5, 0.01)),
+              .usual = or_zero(between(1e-5, 2e-3)),
               .help = "Axial gap to the shoulder at the +x face, which stops motion towards -x."});
   s.quantity("radius", &P::radius,
              {.unit = "m",

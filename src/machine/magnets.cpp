@@ -28,19 +28,42 @@ class RestOfLoad {
 
 }  // namespace
 
+std::vector<std::array<double, 2>> magnet_holding_forces(const MachineParameters& p, const RigidBody& body) {
+  std::array<RestOfLoad, 2> rest = {RestOfLoad(body.mass * p.run.gravity[1], body.centre_of_gravity),
+                                    RestOfLoad(body.mass * p.run.gravity[2], body.centre_of_gravity)};
+  std::vector<const MagnetParameters*> magnets;
+  std::vector<double> sharing;  // places of those without a force of their own
+  for (const auto& entry : p.bearings)
+    if (const auto* m = entry.magnet()) {
+      magnets.push_back(m);
+      const double x = p.rotor.geometry.position(m->node);
+      if (!m->holding_force) sharing.push_back(x);
+      for (std::size_t axis = 0; axis < 2 && m->holding_force; ++axis) rest[axis].take((*m->holding_force)[axis], x);
+    }
+  const std::vector<double> at_0 = weight_shares(sharing, 0.), at_1 = weight_shares(sharing, 1.);
+  std::vector<std::array<double, 2>> forces;
+  std::size_t n_shared = 0;
+  for (const auto* m : magnets) {
+    if (m->holding_force) {
+      forces.push_back({(*m->holding_force)[0], (*m->holding_force)[1]});
+      continue;
+    }
+    forces.push_back({rest[0].shared(at_0[n_shared], at_1[n_shared]), rest[1].shared(at_0[n_shared], at_1[n_shared])});
+    ++n_shared;
+  }
+  return forces;
+}
+
 void add_magnets(const MachineParameters& p, const ModalRotor& rotor, const Motion& line, Machine::Parts& parts) {
   struct Found {
     std::size_t support;
     const MagnetParameters* magnet;
-    double x;
   };
   std::vector<Found> found;
-  std::vector<double> sharing;  // places of those without a force of their own
   double n_axial = 0.;
   for (std::size_t i = 0; i < p.bearings.size(); ++i)
     if (const auto* m = p.bearings[i].magnet()) {
-      found.push_back({i, m, p.rotor.geometry.position(m->node)});
-      if (!m->holding_force) sharing.push_back(found.back().x);
+      found.push_back({i, m});
       if (m->axial_stiffness > 0. && !m->axial_holding_force) n_axial += 1.;
     }
   if (found.empty()) return;
@@ -48,15 +71,8 @@ void add_magnets(const MachineParameters& p, const ModalRotor& rotor, const Moti
   double axial_load = p.rotor.axial_motion == AxialFreedom::free
                           ? body.mass * p.run.gravity[0] + value_at(p.rotor.axial_force, 0.)
                           : 0.;
-  std::array<RestOfLoad, 2> rest = {RestOfLoad(body.mass * p.run.gravity[1], body.centre_of_gravity),
-                                    RestOfLoad(body.mass * p.run.gravity[2], body.centre_of_gravity)};
-  for (const Found& f : found) {
-    axial_load += f.magnet->axial_holding_force.value_or(0.);
-    for (std::size_t axis = 0; axis < 2 && f.magnet->holding_force; ++axis)
-      rest[axis].take((*f.magnet->holding_force)[axis], f.x);
-  }
-  const std::vector<double> at_0 = weight_shares(sharing, 0.), at_1 = weight_shares(sharing, 1.);
-  std::size_t n_shared = 0;
+  for (const Found& f : found) axial_load += f.magnet->axial_holding_force.value_or(0.);
+  const auto held_across = magnet_holding_forces(p, body);
   std::vector<MagnetStart> starts(found.size());
   std::vector<Force> forces(rotor.n_stations());
   for (std::size_t k = 0; k < found.size(); ++k) {
@@ -66,9 +82,8 @@ void add_magnets(const MachineParameters& p, const ModalRotor& rotor, const Moti
       held[0] = *m.axial_holding_force;
     else if (m.axial_stiffness > 0.)
       held[0] = -axial_load / n_axial;
-    for (std::size_t axis = 0; axis < 2; ++axis)
-      held[1 + axis] = m.holding_force ? (*m.holding_force)[axis] : rest[axis].shared(at_0[n_shared], at_1[n_shared]);
-    if (!m.holding_force) ++n_shared;
+    held[1] = held_across[k][0];
+    held[2] = held_across[k][1];
     forces[found[k].support].y = held[1];
     forces[found[k].support].z = held[2];
   }

@@ -1,4 +1,7 @@
 #pragma once
+#include <array>
+#include <vector>
+
 #include "machine/machine.h"
 #include "machine/machine_parameters.h"
 #include "rotor/modal_rotor.h"
@@ -10,6 +13,11 @@ namespace rotordrop {
 /// @param parts  with one support, or a gap, for each bearing of the case, in their order
 void add_magnets(const MachineParameters& parameters, const ModalRotor& rotor, const Motion& line,
                  Machine::Parts& parts);
+
+/// Forces with which the case's magnets hold the rotor along y and z before they let go [N], in the order of the bearings: as given, and of the others
+/// what balances the weight and its moment.
+[[nodiscard]] std::vector<std::array<double, 2>> magnet_holding_forces(const MachineParameters& parameters,
+                                                                       const RigidBody& body);
 
 /// Faults of magnets that need the case around them.
 void check_magnets(const MachineParameters& parameters, const Node& case_node, Faults& faults);

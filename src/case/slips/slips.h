@@ -14,6 +14,7 @@ void look_at_motion(const CaseParameters& p, const Node& tree, std::vector<Fault
 void look_at_bearings(const CaseParameters& p, const Node& tree, std::vector<Fault>& warnings);
 void look_at_fits(const CaseParameters& p, const Node& tree, std::vector<Fault>& warnings);
 void look_at_supports(const CaseParameters& p, const Node& tree, std::vector<Fault>& warnings);
+void look_at_magnets(const CaseParameters& p, const RigidBody& body, const Node& tree, std::vector<Fault>& warnings);
 
 /// Above it rings of steel burst: rho v^2 is 1.25 GPa at 400 m/s.
 inline constexpr double fastest_surface = 400.;      // [m/s]

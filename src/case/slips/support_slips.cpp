@@ -187,12 +187,14 @@ void look_at_sag(const std::string& name, const TouchdownParameters& b, double s
   };
   const auto& g = p.run.gravity;
   if (is_ribbon) {
+    // Estimates: impacts of a drop press with some ten times the weight; a ribbon is there to slip in them.
+    constexpr double most_slip = 20., least_slip = 1e-3;
     // Until it slips it has its stick stiffness.
     const double weight = share * std::hypot(g[1], g[2]);
     if (!support.ribbon->slip_force || weight > *support.ribbon->slip_force)
       compare("stiffness", *support.ribbon->stiffness, std::hypot(g[1], g[2]));
     if (support.ribbon->slip_force && weight > 0. &&
-        (*support.ribbon->slip_force > 1e3 * weight || *support.ribbon->slip_force < 1e-3 * weight))
+        (*support.ribbon->slip_force > most_slip * weight || *support.ribbon->slip_force < least_slip * weight))
       warn(warnings, position_of_value(own, "ribbon"),
            fmt::format("bearings.{}.support.ribbon.slip_force = {:.4g} N is {:.3g} times this bearing's share of the "
                        "rotor's weight: it {} slips.",
@@ -209,6 +211,16 @@ void look_at_sag(const std::string& name, const TouchdownParameters& b, double s
                        "weight ({:.4g} N/m at its lowest frequency), more than the air gap, {:.4g} mm.",
                        name, mm(share * std::hypot(g[1], g[2]) / K), K, mm(gap)),
            "Stiffness is storage times shape_factor. Bare numbers are in Pa and in metres.");
+  // Estimate: O-rings have 1e6 to 1e8 N/m (Smalley, Darlow & Mehta 1978); three times as much is for thick layers.
+  constexpr double stiffest_elastomer = 3e8;
+  if (support.type == "elastomer" && support.elastomer && !support.elastomer->storage.empty())
+    if (const double K = support.elastomer->storage.front()[1] * support.elastomer->shape_factor;
+        K > stiffest_elastomer)
+      warn(warnings, position_of_value(own, "elastomer"),
+           fmt::format("bearings.{}.support.elastomer has {:.3g} N/m at its lowest frequency; O-rings have 1e6 to 1e8 "
+                       "N/m.",
+                       name, K),
+           "Stiffness is storage times shape_factor. Bare numbers are in Pa and in metres.");
   if (support.K_y) compare("K_y", *support.K_y, g[1]);
   if (support.K_z) compare("K_z", *support.K_z, g[2]);
   if (support.K_y && support.K_z && (*support.K_y > 100. * *support.K_z || *support.K_z > 100. * *support.K_y))
@@ -217,49 +229,6 @@ void look_at_sag(const std::string& name, const TouchdownParameters& b, double s
                      *support.K_y, *support.K_z,
                      std::max(*support.K_y, *support.K_z) / std::min(*support.K_y, *support.K_z)),
          "Check the units of both.");
-}
-
-/// Magnets that push the rotor away before they let go.
-void look_at_magnets(const CaseParameters& p, double mass, const Node& tree, std::vector<Fault>& warnings) {
-  bool all_given = true;
-  std::array<double, 2> held{};
-  const SupportEntry* last = nullptr;
-  for (const auto& entry : p.bearings) {
-    const auto* magnet = entry.magnet();
-    if (!magnet) continue;
-    last = &entry;
-    // Estimate: closed loops of 10 kN/m in small pumps to 1 GN/m in large compressors.
-    constexpr double softest = 1e3, stiffest = 1e9;
-    for (std::size_t i = 0; i < 2; ++i)
-      if (const double K = magnet->stiffness[i][i]; K != 0. && (std::fabs(K) < softest || std::fabs(K) > stiffest))
-        warn(warnings, position_of_value(table_at(tree, "bearings", entry.name), "stiffness"),
-             fmt::format("bearings.{}.stiffness = {:.4g} N/m is unusual for a magnet: most often it is between {:.0e} "
-                         "and {:.0e} N/m.",
-                         entry.name, K, softest, stiffest),
-             "A bare number is in N/m: 10 N/um are 1e7.");
-    all_given = all_given && magnet->holding_force.has_value();
-    for (std::size_t i = 0; i < 2; ++i) {
-      if (magnet->holding_force) held[i] += (*magnet->holding_force)[i];
-      if (magnet->damping[i][i] < 0.)
-        warn(warnings, position_of_value(table_at(tree, "bearings", entry.name), "damping"),
-             fmt::format("bearings.{}.damping = {:.4g} N s/m on its diagonal drives the rotor while the magnet holds "
-                         "it.",
-                         entry.name, magnet->damping[i][i]),
-             "Damping is positive: force on the rotor = -C v.");
-    }
-  }
-  if (!last || !all_given) return;
-  for (std::size_t i = 0; i < 2; ++i) {
-    const double weight = mass * p.run.gravity[i + 1];
-    if (std::fabs(held[i] + weight) > std::max(std::fabs(weight), 0.1 * mass * standard_gravity))
-      warn(warnings, position_of_value(table_at(tree, "bearings", last->name), "holding_force"),
-           fmt::format(
-               "the magnets hold the rotor with {:.4g} N along {} where its weight is {:.4g} N: it is not at rest "
-               "where it starts.",
-               held[i], i == 0 ? "y" : "z", weight),
-           "holding_force is what a magnet carries with the rotor at rest where it starts; leave it out to share the "
-           "weight.");
-  }
 }
 
 }  // namespace
@@ -288,7 +257,7 @@ void look_at_supports(const CaseParameters& p, const Node& tree, std::vector<Fau
     } else if (const auto* magnet = entry.magnet()) {
       look_at_matrices(entry.name, magnet->stiffness, magnet->damping, body.mass, tree, warnings);
     }
-  look_at_magnets(p, body.mass, tree, warnings);
+  look_at_magnets(p, body, tree, warnings);
 }
 
 }  // namespace rotordrop
