@@ -198,7 +198,8 @@ class Slips(ProgramTest):
         for case in (MANY_PARTS, PARAMS / "neisi2019-ribbon.toml"):
             with self.subTest(case.name):
                 silent, strange = passing(str(PROGRAM), str(case), [1000])
-                self.assertEqual({key for key, value in silent} - meant, set())
+                of_elastomers = {"thermal.fit_resistance"} if case == MANY_PARTS else set()  # 5 K/W of an O-ring
+                self.assertEqual({key for key, value in silent} - meant - of_elastomers, set())
                 self.assertEqual(strange, [])
 
     def test_parts_that_do_not_fit_each_other_warn(self):

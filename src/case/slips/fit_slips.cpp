@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <tuple>
@@ -91,6 +92,59 @@ void look_at_contacts(const std::string& name, const TouchdownParameters& b, con
            "It is half of what balls touch across their track. A bare number is in metres.");
 }
 
+/// A journal's wall that the contact stiffness from the bodies takes for one backed rigidly.
+void look_at_wall(const std::string& name, const TouchdownParameters& b, const CaseParameters& p, const Node& tree,
+                  std::vector<Fault>& warnings) {
+  // Estimate: a ring under a radial force that shear carries away gives way by 0.52 F (R/t)^3 / (E w), w the width of contact and as much wall as
+  // its radius on both sides; with a wall of 0.35 of the outer radius that is a third of the approach of a solid journal.
+  constexpr double thinnest_wall = 0.35;
+  const auto around = touchdown_surroundings(p, b);
+  if (b.contact_stiffness || !around.journal || around.journal->inner_radius <= 0.) return;
+  const double outside = bore_radius(b, p.contact) - air_gap(b, p.contact);
+  const double wall = outside - around.journal->inner_radius;
+  if (wall < thinnest_wall * outside)
+    warn(warnings, position_of_value(table_at(tree, "bearings", name), "node"),
+         fmt::format("the journal in bearings.{} is a tube with a wall of {:.4g} mm, {:.2g} of its radius: the contact "
+                     "stiffness from the bodies leaves out that such a wall bends, and is too large.",
+                     name, mm(wall), wall / outside),
+         fmt::format("Give bearings.{}.contact_stiffness where peak forces matter, and vary it; from {} of the radius "
+                     "on the wall bends little (estimate).",
+                     name, thinnest_wall));
+}
+
+/// Heat through what carries an outer ring, where that is no metal fit.
+void look_at_conduction(const std::string& name, const TouchdownParameters& b, const CaseParameters& p,
+                        const Node& tree, std::vector<Fault>& warnings) {
+  // Estimate: before, little of the rub's heat has come through the balls to the outer ring (some 0.4 K/W and 100 J/K: 40 s).
+  constexpr double short_run = 10.;  // [s]
+  const std::string& type = b.support.type;
+  if (p.thermal.models.empty() || (type != "elastomer" && type != "ribbon" && type != "squeeze-film")) return;
+  if (tree.find("thermal") && table_at(tree, "thermal").has("fit_resistance")) return;
+  if (!tree.find("preload") && p.run.latest_end() < short_run) return;
+  const Node& bearing = table_at(tree, "bearings", name);
+  warn(
+      warnings, position_of_value(bearing.find("support") ? *bearing.find("support") : bearing, "type"),
+      fmt::format("the outer ring of bearings.{} is carried by {} {}, but its heat goes to the housing through a metal "
+                  "fit: thermal.fit_resistance is its default, {:.4g} K/W.",
+                  name, type == "elastomer" ? "an" : "a", type, p.thermal.fit_resistance),
+      "Give thermal.fit_resistance. Estimates: 1 to 30 K/W of O-rings, 0.05 to 0.5 K/W of a ribbon or an oil film.");
+}
+
+/// A resistance that only elastomers have.
+void look_at_fit_resistance(const CaseParameters& p, const Node& tree, std::vector<Fault>& warnings) {
+  constexpr double most_of_metal = 3.;  // estimate: a metal fit has 0.001 to 0.1, an oil film or a ribbon up to 1 K/W
+  const auto is_soft = [](const SupportEntry& entry) {
+    return entry.touchdown() && entry.touchdown()->support.type == "elastomer";
+  };
+  if (p.thermal.fit_resistance <= most_of_metal || std::any_of(p.bearings.begin(), p.bearings.end(), is_soft)) return;
+  warn(
+      warnings, position_of_value(table_at(tree, "thermal"), "fit_resistance"),
+      fmt::format("thermal.fit_resistance = {:.6g} K/W is unusual: where no elastomer carries an outer ring it is most "
+                  "often <= {:.4g} K/W.",
+                  p.thermal.fit_resistance, most_of_metal),
+      "A bare number is in K/W.");
+}
+
 /// Friction between rotor and bore.
 void look_at_friction(const ContactParameters& c, const Node& tree, std::vector<Fault>& warnings) {
   if (const auto& given = c.static_friction_coefficient; given && *given < c.friction_coefficient)
@@ -104,12 +158,15 @@ void look_at_friction(const ContactParameters& c, const Node& tree, std::vector<
 
 void look_at_fits(const CaseParameters& p, const Node& tree, std::vector<Fault>& warnings) {
   look_at_friction(p.contact, tree, warnings);
+  look_at_fit_resistance(p, tree, warnings);
   for (const auto& entry : p.bearings)
     if (const auto* b = entry.touchdown()) {
       const Node& table = table_at(tree, "bearings", entry.name);
       look_at_housing(entry.name, *b, table, warnings);
       look_at_clearance(entry.name, *b, table, warnings);
       look_at_contacts(entry.name, *b, p, tree, warnings);
+      look_at_wall(entry.name, *b, p, tree, warnings);
+      look_at_conduction(entry.name, *b, p, tree, warnings);
     }
 }
 
