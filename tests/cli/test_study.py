@@ -16,7 +16,7 @@ import numpy
 
 sys.path.insert(0, __file__.rpartition("/")[0])
 from browser import BROWSER, DRIVER, Browser  # noqa: E402
-from program import BUILD, SOURCE, ProgramTest, start  # noqa: E402
+from program import BUILD, PARAMS, SOURCE, ProgramTest, start  # noqa: E402
 
 HAS_ELEMENTS = (BUILD / "rotordrop_fe.so").is_file()
 
@@ -407,6 +407,11 @@ kind = "list"
         self.assertRegex(self.study("out3", "--dry-run", file="l.toml").stderr, r"l\.toml:3:\d+: 8 of 8 points: bearings\.TB1\.support\.K_y = [0-9.]+ N/m is unusual")
         self.assertEqual(self.study("out3", "--dry-run", file="l.toml").stderr.count("N/m is unusual"), 1)
         self.assertRegex(self.study("out3", "--dry-run", file="m.toml").stderr, r"points: bearings\.TB1\.support\.K_y = 2\.7 N/m is unusual")
+
+    def test_shipped_studies_have_no_unusual_points(self):
+        for file in sorted((PARAMS / "studies").glob("*.toml")):
+            with self.subTest(file.name):
+                self.assertEqual(self.study("out", "--dry-run", "--set", 'run.end_time="10 ms"', file=file).stderr, "")
 
     def test_bad_input_is_told_before_anything_is_written(self):
         for change, message in ((("0.05, 0.3", "0.3, 0.05"), "range is empty"), (("size = 12", "size = 1000000000000"), "size"),
