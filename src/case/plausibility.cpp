@@ -48,15 +48,6 @@ const Node& fe_table(const Node& tree) {
   return fe && fe->is_table() ? *fe : thermal;
 }
 
-/// The end of the drop, or of `rotordrop heat` on the same case [s].
-double latest_end_of_all(const CaseParameters& p) {
-  double end = p.run.latest_end();
-  if (!p.heat) return end;
-  if (p.heat->end_time) end = std::max(end, *p.heat->end_time);
-  if (!p.heat->output_times.empty()) end = std::max(end, p.heat->output_times.back());
-  return end;
-}
-
 /// Fields that are not written, since nothing has them or the run is over.
 void look_at_fields(const CaseParameters& p, const Node& tree, std::vector<Fault>& warnings) {
   const FeParameters& fe = p.thermal.fe;
@@ -137,6 +128,14 @@ void look_at_run(const CaseParameters& p, const Node& tree, std::vector<Fault>& 
 }
 
 }  // namespace
+
+double latest_end_of_all(const CaseParameters& p) {
+  double end = p.run.latest_end();
+  if (!p.heat) return end;
+  if (p.heat->end_time) end = std::max(end, *p.heat->end_time);
+  if (!p.heat->output_times.empty()) end = std::max(end, p.heat->output_times.back());
+  return end;
+}
 
 void warn(std::vector<Fault>& warnings, const SourcePosition& where, std::string message, std::string advice) {
   Fault warning{where, std::move(message), std::move(advice)};

@@ -8,6 +8,7 @@
 #include <tuple>
 
 #include "analysis/facts/bearing_estimates.h"
+#include "case/plausibility.h"
 #include "machine/bearing_data.h"
 
 namespace rotordrop {
@@ -112,15 +113,19 @@ void look_at_wall(const std::string& name, const TouchdownParameters& b, const C
                      name, thinnest_wall));
 }
 
+/// Whether heat reaches the housings in the case.
+bool follows_heat_to_housings(const CaseParameters& p, const Node& tree) {
+  // Estimate: before, little of the rub's heat has come through the balls to the outer ring (some 0.4 K/W and 100 J/K: 40 s).
+  constexpr double short_run = 10.;  // [s]
+  return tree.find("preload") || latest_end_of_all(p) >= short_run;
+}
+
 /// Heat through what carries an outer ring, where that is no metal fit.
 void look_at_conduction(const std::string& name, const TouchdownParameters& b, const CaseParameters& p,
                         const Node& tree, std::vector<Fault>& warnings) {
-  // Estimate: before, little of the rub's heat has come through the balls to the outer ring (some 0.4 K/W and 100 J/K: 40 s).
-  constexpr double short_run = 10.;  // [s]
   const std::string& type = b.support.type;
   if (p.thermal.models.empty() || (type != "elastomer" && type != "ribbon" && type != "squeeze-film")) return;
   if (tree.find("thermal") && table_at(tree, "thermal").has("fit_resistance")) return;
-  if (!tree.find("preload") && p.run.latest_end() < short_run) return;
   const Node& bearing = table_at(tree, "bearings", name);
   warn(
       warnings, position_of_value(bearing.find("support") ? *bearing.find("support") : bearing, "type"),
@@ -166,8 +171,16 @@ void look_at_fits(const CaseParameters& p, const Node& tree, std::vector<Fault>&
       look_at_clearance(entry.name, *b, table, warnings);
       look_at_contacts(entry.name, *b, p, tree, warnings);
       look_at_wall(entry.name, *b, p, tree, warnings);
-      look_at_conduction(entry.name, *b, p, tree, warnings);
+      if (follows_heat_to_housings(p, tree)) look_at_conduction(entry.name, *b, p, tree, warnings);
     }
+}
+
+std::vector<Fault> look_at_ways_of_heat(const CaseParameters& p, const Node& tree) {
+  std::vector<Fault> warnings;
+  if (!follows_heat_to_housings(p, tree))
+    for (const auto& entry : p.bearings)
+      if (const auto* b = entry.touchdown()) look_at_conduction(entry.name, *b, p, tree, warnings);
+  return warnings;
 }
 
 }  // namespace rotordrop

@@ -23,6 +23,9 @@ inline constexpr double standard_gravity = 9.80665;  // [m/s2]
 /// Largest outside diameter of the shaft's elements [m]; 0 if it has none.
 double largest_diameter(const RotorGeometry& geometry);
 
+/// The end of the drop, or of `rotordrop heat` on the same case [s].
+double latest_end_of_all(const CaseParameters& p);
+
 /// Adds it unless it is there.
 void warn(std::vector<Fault>& warnings, const SourcePosition& where, std::string message, std::string advice);
 inline double mm(double metres) { return metres * 1e3; }
