@@ -76,7 +76,7 @@ class PointWarnings {
   void add(std::size_t point, const std::vector<Fault>& warnings) {
     std::map<std::string, const Fault*> kinds;
     for (const Fault& warning : warnings)
-      if (std::find(known_.begin(), known_.end(), warning) == known_.end())
+      if (std::none_of(known_.begin(), known_.end(), [&](const Fault& one) { return one.message == warning.message; }))
         kinds.emplace(kind_of_warning(warning), &warning);
     const std::scoped_lock guard(lock_);
     for (const auto& [kind, warning] : kinds) {
