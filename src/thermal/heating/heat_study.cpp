@@ -8,9 +8,9 @@
 #include <utility>
 
 #include "base/parameters/suggestion.h"
+#include "thermal/field_parameters.h"
 #include "thermal/heating/boundary_geometry.h"
 #include "thermal/heating/heat_parameters.h"
-#include "thermal/field_parameters.h"
 
 // From the parameters of a case of heat alone to the problem that they state.
 namespace rotordrop {
