@@ -6,7 +6,11 @@
 #include <cstdlib>
 #include <nlohmann/json.hpp>
 
+#include "base/errors.h"
 #include "base/units.h"
+#include "case/case.h"
+#include "io/sha256.h"
+#include "io/text/toml_reader.h"
 
 namespace rotordrop {
 namespace {
@@ -45,6 +49,14 @@ bool is_default(const Node& value, const Node& fallback, const std::string& unit
 }
 
 }  // namespace
+
+std::string digest_of_parameters(const std::string& text) {
+  try {
+    return sha256_of_toml(resolved_in_si(case_sections(), parse_toml(text, "parameters.toml")));
+  } catch (const InputError&) {
+    return sha256_of_toml(text);
+  }
+}
 
 std::string given_values_json(const ResolvedParameters& parameters) {
   auto values = nlohmann::ordered_json::array();

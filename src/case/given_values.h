@@ -9,4 +9,7 @@ namespace rotordrop {
 /// texts, and "n_defaults", the number of the others.
 std::string given_values_json(const ResolvedParameters& parameters);
 
+/// The digest of a resolved case, however its quantities are written, "3 s" or 3. @param text  such as parameters.toml; of no valid TOML: its own digest
+std::string digest_of_parameters(const std::string& text);
+
 }  // namespace rotordrop

@@ -306,13 +306,11 @@ void require_same_case(const fs::path& path, const Checkpoint& checkpoint, const
     faults.add({path.string()},
                "this checkpoint belongs to another machine: " + difference(checkpoint.entry_names, entry_names));
   if (checkpoint.parameter_digest != parameter_digest)
-    faults.add(
-        {path.string()},
-        "this checkpoint was written with other parameters (digest " + checkpoint.parameter_digest +
-            "; this case has " + parameter_digest + ").",
-        "Compare the parameters saved beside the results with those of this case, or start afresh. Values must be "
-        "written as they were, \"3 s\" not as 3. A mesh, a recording or a module of parts that the case names must be "
-        "what it was, too.");
+    faults.add({path.string()},
+               "this checkpoint was written with other parameters (digest " + checkpoint.parameter_digest +
+                   "; this case has " + parameter_digest + ").",
+               "Compare the parameters saved beside the results with those of this case, or start afresh. A mesh, a "
+               "recording or a module of parts that the case names must be what it was, too.");
   faults.throw_if_any();
 }
 

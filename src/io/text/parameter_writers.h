@@ -38,6 +38,8 @@ struct ResolvedParameters {
   std::size_t n_defaults = 0;  ///< parameters besides these
 };
 ResolvedParameters resolve(const std::vector<ErasedSection>& sections, const Node& tree);
+/// The text with quantities as bare numbers: the same however they were written, "3 s" or 3.
+std::string resolved_in_si(const std::vector<ErasedSection>& sections, const Node& tree);
 
 /// A value as TOML on one line; numbers read back to the same double. Throws std::invalid_argument for null, which TOML
 /// has not.

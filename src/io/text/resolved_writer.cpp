@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "base/units.h"
 #include "io/text/comments.h"
 #include "io/text/parameter_writers.h"
 #include "io/text/toml_text.h"
@@ -27,8 +28,36 @@ struct Place {
   }
 };
 
+/// A quantity as a number, in the unit of its declaration; what cannot be read as one stays as it is.
+Node in_si(const Node& value, const std::string& unit, QuantityKind kind) {
+  if (value.is_array()) {
+    Node::Array items;
+    for (const Node& item : value.items()) items.push_back(in_si(item, unit, kind));
+    return Node::array(std::move(items));
+  }
+  if (value.is_number()) return Node(value.number());
+  const auto read = value.is_text() ? convert_to_si(value.text(), unit, kind) : Conversion{};
+  return value.is_text() && read ? Node(read.value) : value;
+}
+
+Node in_si(const Node& value, const Declaration& d) {
+  if (d.kind == Kind::quantity || d.kind == Kind::quantities || d.kind == Kind::matrix)
+    return in_si(value, d.unit, d.quantity_kind);
+  if (d.kind != Kind::function) return value;
+  if (!value.is_array()) return in_si(value, d.unit, d.quantity_kind);
+  Node::Array pairs;
+  for (const Node& pair : value.items())
+    pairs.push_back(pair.is_array() && pair.items().size() == 2
+                        ? Node::array({in_si(pair.items()[0], d.argument_unit, kind_of(d.argument_unit)),
+                                       in_si(pair.items()[1], d.unit, d.quantity_kind)})
+                        : pair);
+  return Node::array(std::move(pairs));
+}
+
 class Resolver {
  public:
+  explicit Resolver(bool is_in_si) : is_in_si_(is_in_si) {}
+
   /// @param shared  for a named table of variants: the values that come from its parent table
   void section(const SectionDeclaration& section, const Node& table, const Place& place, const Node& shared = Node(),
                const std::string& path_of_shared = "") {
@@ -83,11 +112,12 @@ class Resolver {
       const std::string parent = given ? "" : fmt::format("[{}]", path_of_shared);
       std::string origin = parent.empty() ? "" : parent + ", ";
       origin += origin_in(*entry, place);
-      line(d.key, entry->value, origin.empty() ? "" : std::string(origin_mark) + origin);
+      line(d.key, is_in_si_ ? in_si(entry->value, d) : entry->value,
+           origin.empty() ? "" : std::string(origin_mark) + origin);
       result_.given.push_back(
           {joined_path(place.name, d.key), entry->value, std::move(origin), d.fallback, d.unit, d.help});
     } else if (d.fallback) {
-      line(d.key, *d.fallback, default_mark);
+      line(d.key, is_in_si_ ? in_si(*d.fallback, d) : *d.fallback, default_mark);
       ++result_.n_defaults;
     }
   }
@@ -140,12 +170,11 @@ class Resolver {
   }
 
   ResolvedParameters result_;
+  bool is_in_si_ = false;
 };
 
-}  // namespace
-
-ResolvedParameters resolve(const std::vector<ErasedSection>& sections, const Node& tree) {
-  Resolver resolver;
+ResolvedParameters resolved(const std::vector<ErasedSection>& sections, const Node& tree, bool is_in_si) {
+  Resolver resolver(is_in_si);
   for (const ErasedSection& section : top_level_first(sections)) {
     if (section->name.empty()) {
       resolver.section(*section, tree, {});
@@ -157,6 +186,16 @@ ResolvedParameters resolve(const std::vector<ErasedSection>& sections, const Nod
     resolver.section(*section, given ? *given : Node::table(), {path, path});
   }
   return std::move(resolver.result());
+}
+
+}  // namespace
+
+ResolvedParameters resolve(const std::vector<ErasedSection>& sections, const Node& tree) {
+  return resolved(sections, tree, false);
+}
+
+std::string resolved_in_si(const std::vector<ErasedSection>& sections, const Node& tree) {
+  return resolved(sections, tree, true).text;
 }
 
 }  // namespace rotordrop

@@ -12,6 +12,7 @@
 
 #include "base/cpu_time.h"
 #include "base/errors.h"
+#include "case/given_values.h"
 #include "case/named_files.h"
 #include "io/checkpoint.h"
 #include "io/hdf5/recorded_series.h"
@@ -39,8 +40,8 @@ DropCheckpoints::DropCheckpoints(fs::path directory, const Case& drop_case, cons
       folder_(folder),
       tell_(std::move(tell)),
       interval_(drop_case.parameters.output.checkpoint_interval),
-      text_digest_(sha256_of_toml(drop_case.resolved.text)),
-      digest_(sha256_of_toml(drop_case.resolved.text + digests_of_files(drop_case))) {
+      text_digest_(digest_of_parameters(drop_case.resolved.text)),
+      digest_(sha256_of(text_digest_ + digests_of_files(drop_case))) {
   for (const auto& entry : machine.layout().entries()) entry_names_.push_back(entry.name);
 }
 
@@ -138,7 +139,7 @@ fs::path DropCheckpoints::read_newest(const fs::path& newer) {
     // Killed before its first checkpoint: it starts anew, but only as what it was.
     std::ifstream earlier(directory_ / "parameters.toml");
     const std::string text{std::istreambuf_iterator<char>(earlier), {}};
-    if (!text.empty() && sha256_of_toml(text) != text_digest_)
+    if (!text.empty() && digest_of_parameters(text) != text_digest_)
       throw InputError({where, 0, 0}, "the directory holds the run of another case",
                        "Choose another with -o DIR, or replace the results with --force.");
     if (tell_) tell_("there is no checkpoint yet: the run starts anew");

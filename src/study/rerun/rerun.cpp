@@ -18,6 +18,7 @@
 #include "base/version.h"
 #include "base/wide_vectors.h"
 #include "case/case_text.h"
+#include "case/given_values.h"
 #include "io/checkpoint.h"
 #include "io/hdf5/recorded_series.h"
 #include "io/sha256.h"
@@ -129,7 +130,7 @@ nlohmann::ordered_json finished_summary(const fs::path& directory, const Case& c
   if (holds_checkpoint(directory / "checkpoints") || !fs::exists(directory / "summary.json", ignored)) return nullptr;
   std::ifstream parameters(directory / "parameters.toml"), file(directory / "summary.json");
   const std::string text{std::istreambuf_iterator<char>(parameters), {}};
-  if (sha256_of_toml(text) != sha256_of_toml(c.resolved.text)) return nullptr;
+  if (digest_of_parameters(text) != digest_of_parameters(c.resolved.text)) return nullptr;
   auto summary = nlohmann::ordered_json::parse(file, nullptr, false);
   if (!summary.is_object() || !summary.contains("run") || !summary["run"].value("completed", false)) return nullptr;
   const fs::path results = directory / "results.h5";
