@@ -40,9 +40,14 @@ DropCheckpoints::DropCheckpoints(fs::path directory, const Case& drop_case, cons
       folder_(folder),
       tell_(std::move(tell)),
       interval_(drop_case.parameters.output.checkpoint_interval),
-      text_digest_(digest_of_parameters(drop_case.resolved.text)),
-      digest_(sha256_of(text_digest_ + digests_of_files(drop_case))) {
+      parameters_(drop_case.resolved.text),
+      digests_of_files_(digests_of_files(drop_case)) {
   for (const auto& entry : machine.layout().entries()) entry_names_.push_back(entry.name);
+}
+
+const std::string& DropCheckpoints::parameter_digest() {
+  if (parameter_digest_.empty()) parameter_digest_ = digest_of_parameters(parameters_);
+  return parameter_digest_;
 }
 
 void DropCheckpoints::start_clocks() {
@@ -79,7 +84,7 @@ fs::path DropCheckpoints::written(const fs::path& directory, double time, std::s
   Checkpoint c;
   c.time = time;
   c.state.assign(state.begin(), state.end());
-  c.parameter_digest = digest_;
+  c.parameter_digest = digest();
   c.entry_names = entry_names_;
   drop_.loop().pack(c.extras);
   c.extras["recorded rows"] = recorded_.packed();
@@ -139,7 +144,7 @@ fs::path DropCheckpoints::read_newest(const fs::path& newer) {
     // Killed before its first checkpoint: it starts anew, but only as what it was.
     std::ifstream earlier(directory_ / "parameters.toml");
     const std::string text{std::istreambuf_iterator<char>(earlier), {}};
-    if (!text.empty() && digest_of_parameters(text) != text_digest_)
+    if (!text.empty() && digest_of_parameters(text) != parameter_digest())
       throw InputError({where, 0, 0}, "the directory holds the run of another case",
                        "Choose another with -o DIR, or replace the results with --force.");
     if (tell_) tell_("there is no checkpoint yet: the run starts anew");
@@ -148,7 +153,7 @@ fs::path DropCheckpoints::read_newest(const fs::path& newer) {
   if (tell_)
     for (const auto& file : found.skipped) tell_("a newer checkpoint cannot be read: " + file);
   const Checkpoint& c = *found.checkpoint;
-  require_same_case(found.path, c, digest_, entry_names_);
+  require_same_case(found.path, c, digest(), entry_names_);
   try {
     const auto& clocks = c.extras.at("clocks");
     if (clocks.size() != 2) throw std::invalid_argument("a checkpoint of another kind");

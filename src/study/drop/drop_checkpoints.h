@@ -8,6 +8,7 @@
 #include "analysis/drop.h"
 #include "case/case.h"
 #include "io/results_folder.h"
+#include "io/sha256.h"
 #include "study/drop/drop_record.h"
 
 namespace rotordrop {
@@ -36,6 +37,9 @@ class DropCheckpoints final : public Observer {
 
  private:
   using Clock = std::chrono::steady_clock;
+  /// Digests of the parameters, made when a checkpoint is first written or read, since most runs end before; and of these with the files that they name.
+  const std::string& parameter_digest();
+  std::string digest() { return sha256_of(parameter_digest() + digests_of_files_); }
   std::filesystem::path read_newest(const std::filesystem::path& newer);
   void write(const std::filesystem::path& directory, double time, std::span<const double> state);
   std::filesystem::path written(const std::filesystem::path& directory, double time, std::span<const double> state);
@@ -46,8 +50,9 @@ class DropCheckpoints final : public Observer {
   MemorySeries& series_;
   ResultsFolder& folder_;
   Tell tell_;
-  double interval_;                   // of wall time [s]
-  std::string text_digest_, digest_;  // of the parameters; of these and of the files that they name
+  double interval_;                            // of wall time [s]
+  std::string parameters_, digests_of_files_;  // as TOML; of the files as they were at the start
+  std::string parameter_digest_;               // empty: not made yet
   std::vector<std::string> entry_names_;
   RecordedRows recorded_;  // of the last checkpoint
   double time_ = 0;        // of the one that is resumed from [s]
