@@ -150,10 +150,14 @@ def fin_side(sign):
     while left > 1e-9:
         length = left if left < 1.5 * length else length
         low, high = sorted((at, at + sign * length))
-        overlap = [(max(0.0, min(high, STATION[e["n2"]]) - max(low, STATION[e["n1"]])) / length, e["od"]) for e in ROTOR["elements"]]
-        section, perimeter = sum(part * disc(d) for part, d in overlap), sum(part * pi * d for part, d in overlap)
-        s, ml = sqrt(H_SHAFT * perimeter * CONDUCTIVITY * section), length * sqrt(H_SHAFT * perimeter / (CONDUCTIVITY * section))
-        pieces.append((np.array([[cosh(ml), sinh(ml) / s], [s * sinh(ml), cosh(ml)]]), section * length))
+        bars = [(min(high, STATION[e["n2"]]) - max(low, STATION[e["n1"]]), e["od"]) for e in ROTOR["elements"][::sign]]
+        port, volume = np.eye(2), 0.0
+        for part, d in bars:
+            if part > 1e-9:
+                s, ml = sqrt(H_SHAFT * pi * d * CONDUCTIVITY * disc(d)), part * sqrt(H_SHAFT * pi * d / (CONDUCTIVITY * disc(d)))
+                port = port @ np.array([[cosh(ml), sinh(ml) / s], [s * sinh(ml), cosh(ml)]])
+                volume += disc(d) * part
+        pieces.append((port, volume))
         at, left, length = at + sign * length, left - length, 2.2 * length
     return pieces
 
@@ -166,9 +170,8 @@ def fin_chain(sign):
     """Each two-port as a T: arms to its neighbours, a shunt to ambient at the middle, where its capacity is. (capacity, to the node before, to ambient)."""
     nodes, arm = [], TO_FACE
     for port, volume in fin_side(sign):
-        own = (port[0, 0] - 1) / port[1, 0]
-        nodes.append((RHO * HEAT * volume, arm + own, 1 / port[1, 0]))
-        arm = own
+        nodes.append((RHO * HEAT * volume, arm + (port[0, 0] - 1) / port[1, 0], 1 / port[1, 0]))
+        arm = (port[1, 1] - 1) / port[1, 0]
     return nodes
 
 
@@ -367,7 +370,7 @@ def main():
                 axial, load = pair.state(T)
                 gain, eigenvalue = pair.loop(T)
                 print(f"{circuit}, {speed} rpm: heat {pair.made(T):.8f} W, preload {axial:.6f} N, ball load {load:.7f} N, pressure {pressure(load):.6e} Pa, gain {gain:.6f}, "
-                      f"eigenvalue {eigenvalue:.7e} 1/s, balls {' '.join(f'{G:.7f}' for G in pair.balls(T))} W/K, rises s i b o h {np.array2string(T[:5], precision=7)}"
+                      f"eigenvalue {eigenvalue:.7e} 1/s, balls {' '.join(f'{G:.9f}' for G in pair.balls(T))} W/K, rises s i b o h {np.array2string(T[:5], precision=7)}"
                       + (f", fin {np.array2string(T[5:], precision=7)}" if pair.fin else ""), flush=True)
     published = CIRCUITS["published"]
     print(f"published: critical speed {brentq(lambda n: largest_shortfall(Pair(n * rpm, **published)), 2500, 6000, xtol=1e-3):.3f} rpm")

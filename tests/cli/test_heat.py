@@ -311,7 +311,7 @@ values = ["100 W"]
             probes = self.heat(factor + text.replace("[heat]\n", "[heat]\n" + extra), output=name)["probes"]
             rises[name] = {node: probes["lumped." + node]["temperature"][-1] - 293.15 for node in ("TB1.inner_ring", "TB1.outer_ring", "inner_ring", "outer_ring")}
         of_own = [rise["TB1.outer_ring"] / rise["TB1.inner_ring"] for rise in (rises["R5"], rises["stated"])]
-        self.assertAlmostEqual(of_own[1], of_own[0], delta=0.05 * of_own[0], msg="the housing's convection rises with its temperature")
+        self.assertAlmostEqual(of_own[1], of_own[0], delta=0.1 * of_own[0], msg="the housing's convection rises with its temperature")
         self.assertGreater(rises["stated"]["outer_ring"] / rises["stated"]["inner_ring"], 1.5 * rises["R5"]["outer_ring"] / rises["R5"]["inner_ring"])
         self.assertEqual(rises["factor"], rises["stated"], "the calibration's factor is on what is computed")
 

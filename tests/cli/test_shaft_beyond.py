@@ -120,9 +120,9 @@ port = "rub-into-shaft"
 times = [0]
 values = ["{WATTS} W"]
 ''', {"shaft": 'node = "shaft"'})
-            # Before it flows on: 1/R2 takes 2e-4 of it by then from a lump, 1 % from a heated surface.
+            # Before it flows on: 1/R2 takes 2e-4 of it by then from a lump, and from a surface that is hotter than the mean 8 %.
             wall = 7800 * 510 * math.pi / 4 * (D**2 - (0.8 * D) ** 2) * 20e-3
-            self.assertAlmostEqual(rise["shaft"] * wall / (WATTS * 10e-3), 1, delta=0.02, msg=f"{models}, {fe_shaft}")
+            self.assertAlmostEqual(rise["shaft"] * wall / (WATTS * 10e-3), 1, delta=0.02 if fe_shaft == "lump" else 0.1, msg=f"{models}, {fe_shaft}; solid it would be 0.36")
 
     def test_a_longer_lump_is_cooled_over_its_length(self):
         """A uniform rod whose heat enters evenly over the lump: with m its decay, a fin's rise at the lump's faces, and a parabola-like one between, which one
@@ -134,12 +134,11 @@ values = ["{WATTS} W"]
             rise, summary = self.heat(f'''
 [bearings.TB1]
 shaft_lump_length = {length}
+circuit = {{ shaft_ring = 100, fit = 100 }}
 [thermal]
 models = ["lumped"]
 shaft = "fin"
 h_shaft = {h}
-shaft_ring_link = "in-contact"
-gas_conductivity = 1e-6
 [heat]
 bearing = "TB1"
 output_times = ["4e5 s"]
@@ -150,7 +149,8 @@ values = ["{WATTS} W"]
 ''', {"shaft": 'node = "shaft"'})
             rises[length] = rise["shaft"], self.rod(length, h)
         for length, (rise, exact) in rises.items():
-            self.assertAlmostEqual(rise / exact, 1, delta=0.02, msg=f"lump of {length} m")
+            # 5 % of the heat still go through the ring, whose resistance has its largest factor.
+            self.assertAlmostEqual(rise / exact, 0.955, delta=0.02, msg=f"lump of {length} m")
 
     def rod(self, length, h):
         """Mean rise over the lump of a uniform rod from the rotor's end to half-way between the bearings, by finite differences."""

@@ -132,13 +132,15 @@ class Shoulders(ProgramTest):
 
     def test_no_contact_does_not_end_a_run_whose_rotor_stands_on_a_shoulder(self):
         # Pushed sideways it meets the bores, too, and leaves them; it then stands and rubs on TB2's shoulder.
-        summary = self.drop("out", run__until="no contact", run__end_time="0.36 s", rotor__initial_velocity='["0.3 m/s", "0 m/s"]')
+        summary = self.drop("out", run__until="no contact", run__end_time="0.5 s", rotor__initial_velocity='["0.2 m/s", "0 m/s"]')
         self.assertEqual(summary["run"]["ended_by"], "end_time", self.done.stdout)
         with h5py.File(self.folder / "out/results.h5") as file:
             t, pair = file["time"][:], file["bearings/TB2"]
             touched = (pair["penetration"][:] > 0) | (file["bearings/TB1/penetration"][:] > 0)
-            self.assertLess(t[touched].max(), 0.25, "s: the bores were left for 0.1 s")
-            self.assertTrue((pair["shoulder_force"][:][t > 0.35] < 0).any())
+            apart = numpy.diff([*t[touched], t[-1]])
+            left = t[touched][apart.argmax()]
+            self.assertGreater(apart.max(), 0.1, "s: the bores were left for so long")
+            self.assertTrue((pair["shoulder_force"][:][(t > left) & (t < left + apart.max())] < 0).any())
 
     def test_no_contact_ends_a_run_after_the_last_touch_of_a_shoulder(self):
         # Thrown onto the shoulder within sqrt(2 * 0.3 mm * 109.7 kg / 1 kN) = 8.1 ms and then left alone, without weight: it bounces off and drifts away.

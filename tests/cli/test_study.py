@@ -306,7 +306,7 @@ class Studies(ProgramTest):
         with h5py.File(self.folder / "all/study.h5") as whole:
             for output in kept:
                 with h5py.File(self.folder / output / "study.h5") as h5:
-                    self.assertTrue(0 < len(h5["/results"]) < 40)
+                    self.assertTrue(0 < len(h5["/results"]) < 50)
                     for key in h5["/results"]:
                         numpy.testing.assert_array_equal(h5["/results"][key][:], whole["/results"][key][:], err_msg=key)
 
