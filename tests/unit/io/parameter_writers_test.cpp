@@ -263,8 +263,8 @@ TEST(Defaults, AreValidTomlAndHoldTheDefaultValues) {
 
 TEST(Defaults, AreAnnotated) {
   const std::string text = write_defaults(sections());
-  EXPECT_THAT(text, HasSubstr("# Spin when the rotor is let go.  [angular speed in rad/s; usually between -20000 and "
-                              "20000]\n# source: Neisi 2019\ninitial_speed = \"15200 rpm\"\n"));
+  EXPECT_THAT(text, HasSubstr("# Spin when the rotor is let go.  [angular speed in rad/s; usually between -6500 and "
+                              "6500]\n# source: Neisi 2019\ninitial_speed = \"15200 rpm\"\n"));
   EXPECT_THAT(
       text,
       HasSubstr("# The run ends here.  [time in s, > 0; usually <= 2592000]\n#end_time = \"2 ms\"  # required\n"));
