@@ -81,48 +81,44 @@ values = ["{WATTS} W"]
     def test_a_shaft_of_another_material_is_a_fin_of_its_own(self):
         self.steady("grooved", 20, k=35.0)
 
+    def heated_shaft(self, settings, until="10 ms"):
+        """Rise of the shaft under TB1 after heat of its own until an instant [K]."""
+        rise, _ = self.heat(f'''{settings}
+[heat]
+bearing = "TB1"
+output_times = ["{until}"]
+[[heat.source]]
+port = "rub-into-shaft"
+times = [0]
+values = ["{WATTS} W"]
+''', {"shaft": 'node = "shaft"'})
+        return rise["shaft"]
+
     def test_a_lump_has_the_capacity_of_its_own_material(self):
-        rises = {}
         for rho in (7800, 3900):
-            rises[rho], _ = self.heat(f'''
+            rise = self.heated_shaft(f'''
 [bearings.TB1]
 journal = "own"
 [materials]
 own = {{ E = 2.0e11, nu = 0.3, alpha = 11.8e-6, k = {K}, c = 510, rho = {rho} }}
 [thermal]
 models = ["fe"]
-shaft = "fin"
-[heat]
-bearing = "TB1"
-output_times = ["10 ms"]
-[[heat.source]]
-port = "rub-into-shaft"
-times = [0]
-values = ["{WATTS} W"]
-''', {"shaft": 'node = "shaft"'})
+shaft = "fin"''')
             # Before it flows; the fin takes 0.1 % of it by then.
-            self.assertAlmostEqual(rises[rho]["shaft"] * rho * 510 * math.pi / 4 * D**2 * 20e-3 / (WATTS * 10e-3), 1, delta=0.005)
+            self.assertAlmostEqual(rise * rho * 510 * math.pi / 4 * D**2 * 20e-3 / (WATTS * 10e-3), 1, delta=0.005)
 
     def test_a_hollow_shaft_has_the_capacity_of_its_wall(self):
         self.uniform_rotor(bore=0.8 * D)
         for models, fe_shaft in (('["lumped"]', "lump"), ('["fe"]', "lump"), ('["fe"]', "bearing")):
-            rise, _ = self.heat(f'''
+            rise = self.heated_shaft(f'''
 [thermal]
 models = {models}
 shaft = "lump"
 [thermal.fe]
-shaft = "{fe_shaft}"
-[heat]
-bearing = "TB1"
-output_times = ["10 ms"]
-[[heat.source]]
-port = "rub-into-shaft"
-times = [0]
-values = ["{WATTS} W"]
-''', {"shaft": 'node = "shaft"'})
+shaft = "{fe_shaft}"''')
             # Before it flows on: 1/R2 takes 2e-4 of it by then from a lump, and from a surface that is hotter than the mean 8 %.
             wall = 7800 * 510 * math.pi / 4 * (D**2 - (0.8 * D) ** 2) * 20e-3
-            self.assertAlmostEqual(rise["shaft"] * wall / (WATTS * 10e-3), 1, delta=0.02 if fe_shaft == "lump" else 0.1, msg=f"{models}, {fe_shaft}; solid it would be 0.36")
+            self.assertAlmostEqual(rise * wall / (WATTS * 10e-3), 1, delta=0.02 if fe_shaft == "lump" else 0.1, msg=f"{models}, {fe_shaft}; solid it would be 0.36")
 
     def test_a_longer_lump_is_cooled_over_its_length(self):
         """A uniform rod whose heat enters evenly over the lump: with m its decay, a fin's rise at the lump's faces, and a parabola-like one between, which one
@@ -131,23 +127,15 @@ values = ["{WATTS} W"]
         h = 50.0
         rises = {}
         for length in (20e-3, 60e-3):
-            rise, summary = self.heat(f'''
+            rise = self.heated_shaft(f'''
 [bearings.TB1]
 shaft_lump_length = {length}
 circuit = {{ shaft_ring = 100, fit = 100 }}
 [thermal]
 models = ["lumped"]
 shaft = "fin"
-h_shaft = {h}
-[heat]
-bearing = "TB1"
-output_times = ["4e5 s"]
-[[heat.source]]
-port = "rub-into-shaft"
-times = [0]
-values = ["{WATTS} W"]
-''', {"shaft": 'node = "shaft"'})
-            rises[length] = rise["shaft"], self.rod(length, h)
+h_shaft = {h}''', until="4e5 s")
+            rises[length] = rise, self.rod(length, h)
         for length, (rise, exact) in rises.items():
             # 5 % of the heat still go through the ring, whose resistance has its largest factor.
             self.assertAlmostEqual(rise / exact, 0.955, delta=0.02, msg=f"lump of {length} m")

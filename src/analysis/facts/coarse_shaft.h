@@ -12,7 +12,6 @@ struct CoarseShaft {
   std::vector<std::size_t> elements;  ///< those that are long, the longest first
   int mode = 0;                       ///< free-free bending mode at rest that errs most, from 1
   double frequency = 0, refined = 0;  ///< of this mode, with the elements as given and with the long ones cut [Hz]
-  [[nodiscard]] double error() const { return frequency / refined - 1.; }
 };
 
 /// Compares the first two free-free bending modes, and those below twice the spin speed, with those of the same shaft whose long elements are

@@ -18,8 +18,8 @@ std::array<double, 2> velocity_of(const SupportMotion& m) { return {m.vy, m.vz};
 SupportPlace resting_place(const SupportLaw& law, double force_y, double force_z) {
   // Newton's method on a convex energy, halved where it would rise; near the minimum, where rounding hides that, where the force left would.
   SupportPlace at;
-  const auto rises = [&](const SupportPlace& from, double d_y, double d_z) {
-    const SupportRest here = law.rest(from.y, from.z), there = law.rest(from.y + d_y, from.z + d_z);
+  const auto rises = [&](const SupportRest& here, double d_y, double d_z) {
+    const SupportRest there = law.rest(at.y + d_y, at.z + d_z);
     const auto left = [&](const SupportRest& r) { return std::hypot(r.force_y + force_y, r.force_z + force_z); };
     return there.energy - here.energy > force_y * d_y + force_z * d_z && left(there) > left(here);
   };
@@ -29,7 +29,7 @@ SupportPlace resting_place(const SupportLaw& law, double force_y, double force_z
     const double determinant = r.k_yy * r.k_zz - r.k_yz * r.k_zy;
     if (!(determinant > 0.)) break;
     double d_y = (r.k_zz * f_y - r.k_yz * f_z) / determinant, d_z = (r.k_yy * f_z - r.k_zy * f_y) / determinant;
-    for (int half = 0; half < 60 && rises(at, d_y, d_z); ++half) {
+    for (int half = 0; half < 60 && rises(r, d_y, d_z); ++half) {
       d_y *= 0.5;
       d_z *= 0.5;
     }

@@ -41,9 +41,13 @@ struct BoreHistory {
   double valid_until = 0;          ///< from the start of heating, until heat has crossed the ring's wall [s]
 };
 
+/// Rows of a record that are followed one by one unless said otherwise.
+inline constexpr std::size_t most_followed_rows = 12000;
+
 /// @param most_rows  rows that are followed one by one; of a longer record later ones are joined, as long as the contact moves over the bore by less
 /// than a radian. Heat is kept.
-BoreHistory bore_history(const RubRecord& record, const RubSurfaces& surfaces, std::size_t most_rows = 12000);
+BoreHistory bore_history(const RubRecord& record, const RubSurfaces& surfaces,
+                         std::size_t most_rows = most_followed_rows);
 
 /// Rows of a record to follow: all of one with `most` rows at most; of a longer one later rows are joined, see bore_history().
 std::vector<std::size_t> rows_to_follow(const RubRecord& record, std::size_t most);

@@ -238,7 +238,7 @@ LocalRub local_rub(const RubRecord& r, const LocalRubSettings& s, std::size_t mo
 
 double change_without_every_second_row(const RubRecord& r, const LocalRubSettings& s, const LocalRub& of_all) {
   const RubRecord half = every_second_row(r);
-  const auto list = intervals_of(half, half.times.size(), s.largest_friction);
+  const auto list = intervals_of(half, most_followed_rows, s.largest_friction);
   const Replay replay(half, list, s);
   double largest = 0.;
   const auto compare = [&](double value, double with_all) {

@@ -46,11 +46,12 @@ struct LocalRub {
 };
 
 /// @param most_rows  see bore_history(); of rows that are joined heat, impulse and wear are kept
-LocalRub local_rub(const RubRecord& record, const LocalRubSettings& settings, std::size_t most_rows = 12000);
+LocalRub local_rub(const RubRecord& record, const LocalRubSettings& settings,
+                   std::size_t most_rows = most_followed_rows);
 
 /// By how much the stated rise of the bore, or a depth of wear, changes where only every second row is known, over its value: about what the distance
 /// between rows costs, since their error goes with that distance.
-/// @param of_all  what local_rub() makes of the same record
+/// @param of_all  what local_rub() makes of the same record, with as many rows followed one by one
 double change_without_every_second_row(const RubRecord& record, const LocalRubSettings& settings,
                                        const LocalRub& of_all);
 
