@@ -56,11 +56,11 @@ def verdict(bearing):
 def lines(results):
     rpm = 30 / math.pi
     runs = [(name, *results[name]) for name in VARIANTS if name in results]
-    text = "| run | ended by | at [s] | speed left [rpm] | windage [kJ] | brake [kJ] | into bearings [kJ] | energy residual [J] | heat residual [J] | CPU [s] | file [MB] |\n" + "|---" * 11 + "|\n"
+    text = "| run | ended by | at [s] | speed left [rpm] | windage [kJ] | brake [kJ] | into bearings [kJ] | energy residual [J] | heat residual [J] | file [MB] |\n" + "|---" * 10 + "|\n"
     for name, s, size in runs:
         e = s["energy"]
         text += (f"| {VARIANTS[name][0]} | {s['run']['ended_by']} | {s['run']['end_time']:.1f} | {s['rotor_speed_end'] * rpm:.1f} | {e['windage'] / 1e3:.2f} | {-e['drive_work'] / 1e3:.2f} | "
-                 f"{e['heat_deposited'] / 1e3:.2f} | {e['residual']:.1e} | {e['heat_residual']:.1e} | {s['run']['cpu_time']:.0f} | {size / 1e6:.0f} |\n")
+                 f"{e['heat_deposited'] / 1e3:.2f} | {e['residual']:.1e} | {e['heat_residual']:.1e} | {size / 1e6:.0f} |\n")
     text += "\n| run | bearing | rub heat [kJ] | friction in it [kJ] | preload at start, largest, end [N] | largest pressure [GPa] | rises at the end, circuit [K] | by finite elements [K] | largest mean rise [K], circuit; finite elements | verdict |\n" + "|---" * 10 + "|\n"
     for name, s, _ in runs:
         for bearing, b in s["bearings"].items():
