@@ -1,6 +1,7 @@
 #pragma once
 // Our own embedded methods and the control of their step: what the methods for one drop and for drops in lanes share.
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <span>
 
@@ -55,24 +56,26 @@ inline constexpr EmbeddedTableau sofroniou_spaletta = {
     .e = {119041. / 8970912., -595205. / 8970912., 595205. / 8970912., 1309451. / 8970912., -119041. / 747576.},
     .fitted = {0, 0b1, 0b1, 0b1, 0b1111}};
 
-/// Whether a method is one of these.
-[[nodiscard]] inline bool is_own_pair(IntegrationMethod method) {
-  return std::any_of(integration_methods.begin(), integration_methods.end(), [method](const MethodKind& kind) {
-    return kind.method == method && kind.make == make_embedded_pair;
-  });
-}
+struct OwnPair {
+  IntegrationMethod method;
+  const EmbeddedTableau* tableau;
+};
+inline constexpr std::array own_pairs{OwnPair{IntegrationMethod::tsitouras, &tsitouras},
+                                      OwnPair{IntegrationMethod::bogacki_shampine, &bogacki_shampine},
+                                      OwnPair{IntegrationMethod::sofroniou_spaletta, &sofroniou_spaletta},
+                                      OwnPair{IntegrationMethod::two_step_runge_kutta, &two_step_runge_kutta}};
 
+/// Whether a method is one of these.
+[[nodiscard]] constexpr bool is_own_pair(IntegrationMethod method) {
+  return std::ranges::find(own_pairs, method, &OwnPair::method) != own_pairs.end();
+}
+static_assert(std::ranges::all_of(integration_methods, [](const MethodKind& kind) {
+  return is_own_pair(kind.method) == (kind.make == make_embedded_pair);
+}));
+
+/// @param method  is_own_pair()
 [[nodiscard]] inline const EmbeddedTableau& tableau_of(IntegrationMethod method) {
-  switch (method) {
-    case IntegrationMethod::bogacki_shampine:
-      return bogacki_shampine;
-    case IntegrationMethod::sofroniou_spaletta:
-      return sofroniou_spaletta;
-    case IntegrationMethod::two_step_runge_kutta:
-      return two_step_runge_kutta;
-    default:
-      return tsitouras;
-  }
+  return *std::ranges::find(own_pairs, method, &OwnPair::method)->tableau;
 }
 
 /// Where a time lies in a step, from 0 to 1. @throws SolverError for one outside
