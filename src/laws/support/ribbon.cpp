@@ -110,19 +110,16 @@ RibbonSupport::Axis ribbon_from_loop(const MeasuredLoop& loop) {
     StopOperator s{pieces[j].slope() - std::max(pieces[j + 1].slope(), 0.), 0.5 * travelled};
     // A sharp slider loses 4 k z_s (X - z_s) in a turn of amplitude X; the soft one the same with a slightly different reach.
     const double sharp = 4. * s.stiffness * s.reach * (0.5 * range - s.reach);
-    double low = 0.5 * s.reach, high = std::min(1.5 * s.reach, 0.5 * range / (1. - StopOperator::onset));
-    const auto loses = [&](double reach) { return slider_loss({s.stiffness, reach}, 0.5 * range) - sharp; };
-    // The loss first rises with the reach, then falls: on the side of the sharp one.
-    if (s.reach > 0.25 * range) std::swap(low, high);
-    if (loses(s.reach) * loses(high) <= 0.) {
-      low = s.reach;
+    const auto excess = [&](double reach) { return slider_loss({s.stiffness, reach}, 0.5 * range) - sharp; };
+    // The loss first rises with the reach, then falls to zero where the slider no longer slips.
+    const bool rises = s.reach <= 0.25 * range, is_larger = (excess(s.reach) < 0.) == rises;
+    double other = is_larger ? std::min(1.5 * s.reach, 0.5 * range / (1. - StopOperator::onset)) : 0.5 * s.reach;
+    if (excess(s.reach) * excess(other) <= 0.)
       for (int k = 0; k < 100; ++k) {
-        const double middle = 0.5 * (low + high);
-        (loses(middle) * loses(low) > 0. ? low : high) = middle;
+        const double middle = 0.5 * (s.reach + other);
+        (excess(middle) * excess(s.reach) > 0. ? s.reach : other) = middle;
       }
-      s.reach = low;
-    }
-    // What no reach gives, for a slider that slips at a quarter of the travel, a little more stiffness does.
+    // What no reach gives, for a slider that slips at a fifth to a third of the travel, up to 2 % more stiffness does.
     s.stiffness *= sharp / slider_loss(s, 0.5 * range);
     axis.elements.push_back(s);
   }
