@@ -8,7 +8,7 @@ import h5py
 import numpy
 
 sys.path.insert(0, __file__.rpartition("/")[0])
-from program import ProgramTest, content_of, page_data, settings  # noqa: E402
+from program import PARAMS, ProgramTest, content_of, page_data, settings  # noqa: E402
 
 KEY = "bearings.TB1.peak_contact_force"
 
@@ -67,6 +67,23 @@ class SecondOpinion(ProgramTest):
         self.assertIsNone(results["rotor_speed_end"]["by_finer_steps"])
         self.assertRegex(done.stdout, r"rotor_speed_end \(finer steps not compared, ")
         self.assertRegex(done.stdout, r"Second opinion \(a tenth of the tolerance and half the longest step up to [0-9.]+ ms; 2 drops that start 1 nm beside\):\n(  .*\n)*  differs by +[0-9.e-]+ %  bearings\.TB1\.peak_contact_force")
+
+    def test_a_light_ring_that_is_met_again_belongs_to_the_first_impact(self):
+        self.succeed("run", PARAMS / "own-machine/drop.toml", "-o", "out", *settings(run__end_time="40 ms", run__second_opinion="true", output__interval="5 us"))
+        opinion, _ = self.opinion()
+        until = 0
+        with h5py.File(self.folder / "out/results.h5") as results:
+            time = results["time"][()]
+            for name, bearing in self.summary()["bearings"].items():
+                depth = results[f"bearings/{name}/penetration"][()]
+                distance = numpy.hypot(*results[f"bearings/{name}/orbit"][()].T)
+                opens = [i for i in range(1, len(time)) if depth[i - 1] > 0 >= depth[i]]
+                comes_back = next(i for i in opens if distance[i] < distance[i - 1])
+                self.assertGreater(comes_back, opens[0], "the first contact knocks the ring away")
+                closes = next(i for i in range(comes_back + 1, len(time)) if depth[i - 1] <= 0 < depth[i])
+                until = max(until, numpy.interp(0, depth[closes - 1 : closes + 1], time[closes - 1 : closes + 1]))
+                self.assertLess(bearing["second_contact_time"], bearing["first_contact_time"] + 2e-4)
+        self.assertAlmostEqual(opinion["first_impacts_until"], until, delta=1e-9)
 
     def test_of_a_fall_a_nanometre_stays_a_nanometre(self):
         done = self.succeed("run", self.case(""), "-o", "out", *settings(run__end_time="3 ms", run__second_opinion="true"))

@@ -21,6 +21,7 @@
 #include "study/opinion/second_opinion.h"
 #include "study/result_limits.h"
 #include "study/rub/bore_report.h"
+#include "study/rub/impact.h"
 
 namespace rotordrop {
 namespace {
@@ -36,6 +37,7 @@ class SummarySeries {
     for (const auto& bearing : touchdown_names(c.parameters)) {
       if (parts.local_rub) add(series_of_rub(bearing));
       if (parts.whirl) add(series_of_whirl(bearing));
+      if (c.parameters.run.second_opinion) add(series_of_impact(bearing));
     }
     if (const ThermalKind* kind = section_kind(c.parameters.thermal))
       groups_.insert(groups_.end(), {kind->group, "/windows/"});

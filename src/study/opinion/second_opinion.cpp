@@ -14,6 +14,7 @@
 #include "study/json_number.h"
 #include "study/result_limits.h"
 #include "study/result_names.h"
+#include "study/rub/impact.h"
 
 namespace rotordrop {
 namespace {
@@ -48,11 +49,16 @@ Case plain(const Case& c) {
 }
 
 /// When every bearing's first impact is over, and those that are hit again are about to be [s]; nothing if no bearing is hit.
-std::optional<double> end_of_first_impacts(const DropSummary& summary) {
+std::optional<double> end_of_first_impacts(const FinishedDrop& drop) {
   double end = 0.;
-  for (const auto& b : summary.bearings)
+  for (const auto& b : drop.summary.bearings) {
     for (const double time : {b.scalars.first_contact_end, b.scalars.second_contact_time})
       if (std::isfinite(time)) end = std::max(end, time);
+    // The second contact is part of the first impact where the first one only knocked a light ring away.
+    const Impact impact = first_impact(*drop.recorded, b.name);
+    if (impact.end > b.scalars.second_contact_time)
+      end = std::max(end, std::isfinite(impact.next) ? impact.next : impact.end);
+  }
   return end > 0. ? std::optional(end) : std::nullopt;
 }
 
@@ -138,7 +144,7 @@ std::optional<FirstImpacts> repeat_first_impacts(const Case& c, double until, co
 
 Json second_opinion(const Case& c, const FinishedDrop& first, const volatile std::sig_atomic_t* stop) {
   const double end = first.end_time;
-  const double until = std::min(end_of_first_impacts(first.summary).value_or(end), end);
+  const double until = std::min(end_of_first_impacts(first).value_or(end), end);
   const auto impacts = repeat_first_impacts(c, until, stop);
   if (!impacts) return nullptr;
   std::vector<Numbers> neighbours;

@@ -17,7 +17,7 @@ inline constexpr double least_judged = 1e-6;
 
 /// Computes a finished drop again, in memory: the first impacts of all bearings with and without a tenth of the tolerance and half the step, and
 /// the whole of it from starts beside its own. For `second_opinion` of summary.json; null if it was stopped.
-/// @param first  with the series that its summary needs
+/// @param first  with the series that its summary needs, which are those of series_of_impact(), too
 nlohmann::ordered_json second_opinion(const Case& drop_case, const FinishedDrop& first,
                                       const volatile std::sig_atomic_t* stop);
 

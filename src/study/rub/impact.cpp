@@ -2,9 +2,20 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace rotordrop {
+namespace {
+
+/// Whether the journal comes nearer to the bearing's axis where a time falls between two rows.
+bool moves_inward(const TimeSeries& y, const TimeSeries& z, double t) {
+  const auto after = std::upper_bound(y.times.begin(), y.times.end(), t) - y.times.begin();
+  const auto i = static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(after, 1, std::ssize(y.times) - 1));
+  return std::hypot(y.values[i], z.values[i]) < std::hypot(y.values[i - 1], z.values[i - 1]);
+}
+
+}  // namespace
 
 Impact first_impact(const RecordedDrop& drop, const std::string& bearing) {
   const TimeSeries penetration = drop.series("/bearings/" + bearing + "/penetration");
@@ -13,12 +24,24 @@ Impact first_impact(const RecordedDrop& drop, const std::string& bearing) {
   const auto start = penetration.values.front() > 0. ? begin : first_crossing(penetration, true, begin);
   if (!start) return impact;
   impact.start = *start;
-  impact.end = first_crossing(penetration, false, *start).value_or(penetration.times.back());
+  impact.end = penetration.times.back();
+  const TimeSeries y = drop.series("/bearings/" + bearing + "/orbit", 0),
+                   z = drop.series("/bearings/" + bearing + "/orbit", 1);
+  for (auto closes = start; closes; closes = first_crossing(penetration, true, impact.end)) {
+    impact.end = first_crossing(penetration, false, *closes).value_or(penetration.times.back());
+    if (moves_inward(y, z, impact.end)) break;
+  }
+  impact.next = first_crossing(penetration, true, impact.end).value_or(impact.next);
   if (const auto peak = largest_of(drop.series("/bearings/" + bearing + "/contact_force"), impact.start, impact.end)) {
     impact.peak = peak->value;
     impact.peak_time = peak->time;
   }
   return impact;
+}
+
+std::vector<std::string> series_of_impact(const std::string& bearing) {
+  const std::string at = "/bearings/" + bearing + "/";
+  return {at + "penetration", at + "orbit", at + "contact_force"};
 }
 
 std::vector<Instant> instants_of(const Impact& impact, double end, const std::vector<double>& more) {

@@ -17,9 +17,14 @@ struct Instant {
 struct Impact {
   double start = std::numeric_limits<double>::quiet_NaN(), end = std::numeric_limits<double>::quiet_NaN(),
          peak_time = std::numeric_limits<double>::quiet_NaN(), peak = 0;
+  double next = std::numeric_limits<double>::quiet_NaN();  ///< when the contact closes again
 };
-/// Begins and ends where the recorded penetration passes zero; the peak is the largest sample.
+/// Begins where the recorded penetration first passes zero, and ends where it does so while the journal comes back from the bore: the contact opens
+/// sooner, for some microseconds, where the journal knocks a light ring away and meets it again. The peak is the largest sample.
+/// @param drop  with series_of_impact()
 Impact first_impact(const RecordedDrop& drop, const std::string& bearing);
+
+std::vector<std::string> series_of_impact(const std::string& bearing);
 
 /// The impact's peak, the given times [s] before the end, and the end.
 std::vector<Instant> instants_of(const Impact& impact, double end, const std::vector<double>& more);
