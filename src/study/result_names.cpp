@@ -51,6 +51,8 @@ constexpr std::array rules{
     Rule{"required_static_safety", "1", "static safety that a repeated drop needs"},
     Rule{"fatigue.share", "1", "share of the bearing's fatigue life L10 that one drop uses"},
     Rule{"fatigue.rows[]", "1", "share of the row's fatigue life L10 that one drop uses"},
+    Rule{"fatigue.by_cycles", "1", "that share by load cycles of the balls alone"},
+    Rule{"fatigue.by_rolling", "1", "that share by turns under the balls' loads alone"},
     Rule{"fatigue.rating", "N", "dynamic load rating of all rows"},
     Rule{"fatigue.largest_cycle", "N", "largest load cycle of a ball"},
     Rule{"fatigue.equivalent_cycles", "1", "largest load cycles that damage as much as all cycles of the worst ball"},

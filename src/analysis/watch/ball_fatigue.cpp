@@ -1,6 +1,8 @@
 #include "analysis/watch/ball_fatigue.h"
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 #include <stdexcept>
 
 #include "bearing/touchdown_bearing.h"
@@ -44,14 +46,35 @@ void LoadCycles::unpack(const std::vector<double>& from) {
   open_.set_open({from.begin() + 2, from.end()});
 }
 
+void OverTurns::follow(double t, double of_all, double speed) {
+  const double rate = of_all * std::fabs(speed) / (2. * std::numbers::pi);
+  if (std::isfinite(time_)) sum_ += 0.5 * (rate_ + rate) * (t - time_);
+  rate_ = rate;
+  time_ = t;
+}
+
+void OverTurns::unpack(const std::vector<double>& from) {
+  if (from.size() != 3) throw std::invalid_argument("rolling of another kind");
+  sum_ = from[0];
+  rate_ = from[1];
+  time_ = from[2];
+}
+
 BallFatigue::BallFatigue(const Machine& machine, const MachineParameters& parameters) {
   for (std::size_t i = 0; i < machine.n_supports(); ++i) {
     const auto* touchdown = dynamic_cast<const TouchdownBearing*>(&machine.support(i));
     const auto column = column_of(machine.detail_observables(), machine.support(i).results_path() + "/ball_loads");
-    if (!touchdown || !column) continue;
+    const auto ring_speed = column_of(machine.step_observables(), machine.support(i).results_path() + "/ring_speed");
+    if (!touchdown || !column || !ring_speed) continue;
     for (const auto& entry : parameters.bearings) {
       if (entry.name != touchdown->name() || !entry.touchdown() || !entry.touchdown()->C) continue;
-      Bearing b{entry.name, *entry.touchdown()->C, *column, rated_rows(*touchdown, *entry.touchdown()->C), {}};
+      Bearing b;
+      b.name = entry.name;
+      b.rating = *entry.touchdown()->C;
+      b.column = *column;
+      b.ring_speed = *ring_speed;
+      b.rows = rated_rows(*touchdown, b.rating);
+      b.rolling.resize(b.rows.size());
       std::size_t n_balls = 0;
       for (const auto& row : b.rows) n_balls += static_cast<std::size_t>(row.n_balls);
       b.balls.resize(n_balls);
@@ -62,8 +85,15 @@ BallFatigue::BallFatigue(const Machine& machine, const MachineParameters& parame
 
 void BallFatigue::step(const Step& step) {
   if (!step.is_observed) return;
-  for (Bearing& b : bearings_)
-    for (std::size_t j = 0; j < b.balls.size(); ++j) b.balls[j].follow(step.found->details[b.column + j]);
+  for (Bearing& b : bearings_) {
+    const double* load = &step.found->details[b.column];
+    for (std::size_t j = 0; j < b.balls.size(); ++j) b.balls[j].follow(load[j]);
+    for (std::size_t row = 0; row < b.rows.size(); ++row) {
+      double of_all = 0.;
+      for (int j = 0; j < b.rows[row].n_balls; ++j, ++load) of_all += *load * *load * *load;
+      b.rolling[row].follow(step.time, of_all, step.found->step[b.ring_speed]);
+    }
+  }
 }
 
 std::optional<FatigueShare> BallFatigue::of(const std::string& bearing) const {
@@ -73,7 +103,8 @@ std::optional<FatigueShare> BallFatigue::of(const std::string& bearing) const {
     found.rating = b.rating;
     double worst_ball = 0.;
     std::size_t ball = 0;
-    for (const RatedRow& row : b.rows) {
+    for (std::size_t i = 0; i < b.rows.size(); ++i) {
+      const RatedRow& row = b.rows[i];
       double sum = 0.;
       for (int j = 0; j < row.n_balls; ++j) {
         const LoadCycles cycles = b.balls[ball++].finished();
@@ -82,7 +113,11 @@ std::optional<FatigueShare> BallFatigue::of(const std::string& bearing) const {
         found.load_over_rating = std::max(found.load_over_rating, cycles.largest() / ball_load_at_rating(row));
         worst_ball = std::max(worst_ball, cycles.sum_of_cubes());
       }
-      found.rows.push_back(life_share(row, sum));
+      const double by_cycles = life_share(row, sum);
+      const double by_rolling = life_share(row, cycles_of_rolling(row, b.rolling[i].integral()));
+      found.by_cycles = together(found.by_cycles, by_cycles);
+      found.by_rolling = together(found.by_rolling, by_rolling);
+      found.rows.push_back(std::max(by_cycles, by_rolling));
       found.share = together(found.share, found.rows.back());
     }
     const double largest = found.largest_cycle;
@@ -93,15 +128,21 @@ std::optional<FatigueShare> BallFatigue::of(const std::string& bearing) const {
 }
 
 void BallFatigue::pack(PackedValues& to) const {
-  for (const Bearing& b : bearings_)
+  for (const Bearing& b : bearings_) {
     for (std::size_t j = 0; j < b.balls.size(); ++j)
       to["fatigue/" + b.name + "/ball " + std::to_string(j + 1)] = b.balls[j].packed();
+    for (std::size_t row = 0; row < b.rolling.size(); ++row)
+      to["fatigue/" + b.name + "/row " + std::to_string(row + 1)] = b.rolling[row].packed();
+  }
 }
 
 void BallFatigue::unpack(const PackedValues& from) {
-  for (Bearing& b : bearings_)
+  for (Bearing& b : bearings_) {
     for (std::size_t j = 0; j < b.balls.size(); ++j)
       b.balls[j].unpack(from.at("fatigue/" + b.name + "/ball " + std::to_string(j + 1)));
+    for (std::size_t row = 0; row < b.rolling.size(); ++row)
+      b.rolling[row].unpack(from.at("fatigue/" + b.name + "/row " + std::to_string(row + 1)));
+  }
 }
 
 }  // namespace rotordrop

@@ -1,4 +1,5 @@
 #pragma once
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -11,10 +12,12 @@
 
 namespace rotordrop {
 
-/// Contact fatigue of one bearing by the load cycles of its balls (laws/fatigue/ball_life.h).
+/// Contact fatigue of one bearing by the loads of its balls (laws/fatigue/ball_life.h).
 struct FatigueShare {
-  double share = 0;          ///< of the life L10 that was used up
-  double rating = 0;         ///< C of all rows [N]
+  double share = 0;   ///< of the life L10 that was used up
+  double rating = 0;  ///< C of all rows [N]
+  double by_cycles = 0,
+         by_rolling = 0;     ///< the same by load cycles and by rolling alone; of each row the larger counts
   double largest_cycle = 0;  ///< range [N]
   double equivalent_cycles =
       0;                        ///< cycles of that range that do the same to its ball; of the ball with the largest sum
@@ -39,6 +42,19 @@ class LoadCycles {
   double sum_ = 0, largest_ = 0;
 };
 
+/// Integral of a rate over turns of the inner ring, by the trapezoidal rule.
+class OverTurns {
+ public:
+  /// @param of_all  sum of all balls' Q^3 [N^3]; @param speed  of the inner ring [rad/s]
+  void follow(double t, double of_all, double speed);
+  [[nodiscard]] double integral() const { return sum_; }
+  [[nodiscard]] std::vector<double> packed() const { return {sum_, rate_, time_}; }
+  void unpack(const std::vector<double>& from);
+
+ private:
+  double sum_ = 0, rate_ = 0, time_ = std::numeric_limits<double>::quiet_NaN();
+};
+
 /// Follows the loads of all balls of the bearings with a dynamic load rating, at every observed step.
 class BallFatigue final : public Observer {
  public:
@@ -54,9 +70,11 @@ class BallFatigue final : public Observer {
   struct Bearing {
     std::string name;
     double rating = 0;
-    std::size_t column = 0;  // of the first ball among the details
+    std::size_t column = 0;      // of the first ball among the details
+    std::size_t ring_speed = 0;  // among the step observables
     std::vector<RatedRow> rows;
-    std::vector<LoadCycles> balls;  // of all rows
+    std::vector<OverTurns> rolling;  // of each row
+    std::vector<LoadCycles> balls;   // of all rows
   };
   std::vector<Bearing> bearings_;
 };

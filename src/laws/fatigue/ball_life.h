@@ -8,6 +8,14 @@
 //   (Q / Q_C)^3 / (1e6 Z (1 - gamma)/2),  Q_C = Q_max(C)
 // of that life, and shares add up (Palmgren, Miner). A load cycle of the range Q is taken as such a passage. For what ISO 281 is made for the sum is
 // its life exactly; a test says so.
+//
+// Loads that do not swing, of preload, thrust or speed, make no cycles, but balls that roll under them tire the raceways as well. On half a circle loaded
+// the mean of Q^3 around the row is J_3 = 1/(2 pi) integral of cos^(9/2) = 0.1780 of Q_max^3, and that takes one turn's share; so a turn with the loads
+// Q_j has the share
+//   mean of Q_j^3 / (J_3 Q_C^3) / 1e6.
+// Under a radial load on half the circle it is the same as by cycles, under thrust alone it is ISO 281's P = Y F_a (Y = 0.407 cot(alpha), ISO 0.4). Both
+// count what happens to the same raceways, one as if balls stood under a load that swings, one as if they rolled under loads that stand: the larger
+// counts.
 namespace rotordrop {
 
 inline constexpr double load_life_exponent = 3.;  ///< p of ball bearings, ISO 281
@@ -29,6 +37,9 @@ double ball_load_at_rating(const RatedRow& row);
 
 /// Share of a row's life. @param sum_of_cubes  of all cycles' ranges, of all of its balls [N^3]
 double life_share(const RatedRow& row, double sum_of_cubes);
+
+/// The sum of cubes whose life_share() is that of rolling. @param cubes  sum of all balls' Q^3, integrated over turns of the inner ring [N^3]
+double cycles_of_rolling(const RatedRow& row, double cubes);
 
 /// Share of a bearing's life from those of its rows: (sum D^e)^(1/e) with Weibull's exponent e = 10/9 of ball bearings (ISO 281).
 /// Adding a row: combined = together(combined, share of the row).

@@ -18,6 +18,8 @@ using Json = nlohmann::ordered_json;
 Json fatigue_json(const FatigueShare& f) {
   return {{"share", f.share},
           {"rows", f.rows},
+          {"by_cycles", f.by_cycles},
+          {"by_rolling", f.by_rolling},
           {"rating", f.rating},
           {"largest_cycle", f.largest_cycle},
           {"equivalent_cycles", f.equivalent_cycles},
@@ -35,8 +37,8 @@ Json drops_of(double share) {
 std::string fatigue_basis(const std::optional<FatigueShare>& f) {
   if (!f) return "contact fatigue: not assessed, the bearing's dynamic load rating C is not given";
   std::string text = fmt::format(
-      "contact fatigue: ISO 281, C = {:.4g} kN, p = 3, L10 (90 % reliability); cycles of every ball's load by rainflow "
-      "(ASTM E1049), summed by Palmgren-Miner",
+      "contact fatigue: ISO 281, C = {:.4g} kN, p = 3, L10 (90 % reliability), summed by Palmgren-Miner; of each row the "
+      "larger of two counts: cycles of every ball's load by rainflow (ASTM E1049), and turns under the balls' loads",
       f->rating * 1e-3);
   if (f->load_over_rating > 0.5)
     text +=

@@ -87,6 +87,27 @@ TEST(BallLife, IsThatOfIso281UnderAConstantRadialLoad) {
   }
 }
 
+TEST(BallLife, OfRollingIsThatOfIso281UnderRadialLoadAndUnderThrust) {
+  const RatedRow row{23, 9.525e-3, 85e-3, 25. * std::numbers::pi / 180., 33e3};
+  const double turns = 1e4, Z = row.n_balls, cosine = std::cos(row.contact_angle);
+  // A radial load: cubes of many balls' loads, with Q_max from the equilibrium.
+  const double F = 6e3;
+  double mean = 0., cubes = 0.;
+  const int n = 20000;
+  for (int k = 0; k < n; ++k) {
+    const double c = std::max(std::cos(2. * std::numbers::pi * k / n), 0.);
+    mean += std::pow(c, 2.5) / n;
+    cubes += std::pow(c, 4.5) / n;
+  }
+  const double Q_max = F / (Z * cosine * mean);
+  const double radial = turns / 1e6 * std::pow(F / row.rating, 3);
+  EXPECT_NEAR(life_share(row, cycles_of_rolling(row, turns * Z * cubes * std::pow(Q_max, 3))), radial, 1e-5 * radial);
+  // Thrust: P = 0.87 F_a at 25 deg (ISO 281, table of X and Y). Y has two digits there, so that its cube is known to 2 %.
+  const double thrust = turns / 1e6 * std::pow(0.87 * F / row.rating, 3);
+  const double Q = F / (Z * std::sin(row.contact_angle));
+  EXPECT_NEAR(life_share(row, cycles_of_rolling(row, turns * Z * std::pow(Q, 3))), thrust, 0.02 * thrust);
+}
+
 TEST(BallLife, OfAPairIsThatOfItsCommonRating) {
   // ISO 281: i equal rows have i^0.7 times the rating of one, and each carries its part of the load.
   const double C_of_one = 33e3, C = std::pow(2., 0.7) * C_of_one, F = 8e3;
