@@ -16,9 +16,9 @@ namespace rotordrop {
 /// A support's stiffness that an option gives: a warning if it is larger than stiffnesses are. @param stiffness  [N/m]
 [[nodiscard]] std::vector<Fault> look_at_stiffness(const std::string& option, double stiffness);
 
-/// For a command that follows heat to the housings whatever the case's end is: warnings of outer rings in elastomers, ribbons or films whose resistance
-/// is that of a metal fit, unless look_for_slips() gives them.
-[[nodiscard]] std::vector<Fault> look_at_ways_of_heat(const CaseParameters& parameters, const Node& tree);
+/// For `rotordrop preload`: warnings of keys that have no part in it, and, since it follows heat to the housings whatever the case's end is, of outer
+/// rings in elastomers, ribbons or films whose resistance is that of a metal fit, unless look_for_slips() gives them.
+[[nodiscard]] std::vector<Fault> look_at_preload(const CaseParameters& parameters, const Node& tree);
 
 /// Faults of a rotor whose modes take more memory than there is, or days, and of too many supports.
 void check_size(const CaseParameters& parameters, const Node& tree, Faults& faults);

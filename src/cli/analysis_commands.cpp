@@ -120,7 +120,7 @@ int statics_command(const StaticsCommand& command) {
 
 int preload_command(const PreloadCommand& command) {
   const Case c = read_case_and_tell(command.file, command.overrides);
-  tell_warnings(look_at_ways_of_heat(c.parameters, c.tree));
+  tell_warnings(look_at_preload(c.parameters, c.tree));
   PreloadOptions options;
   options.directory =
       command.directory.empty() ? std::filesystem::path("out") / (c.name + "-preload") : command.directory;

@@ -153,6 +153,17 @@ class UnusualMachines(ProgramTest):
         self.assertEqual(self.said("check", PARAMS / "neisi2019-coast-down.toml"), "")
         # `preload` follows heat for hours, whatever the case says.
         self.assertIn("carried by a ribbon", self.said("preload", case, "--bearing", "TB2", "-o", "out", "--set", "preload.critical_values=false", "--set", 'preload.end_time="1 s"', code=None))
+        # Keys that have no part in it.
+        keys = ("--set", "thermal.growth=false", "--set", 'bearings.TB2.cage="free"', "--set", "preload.critical_values=false", "--set", 'preload.end_time="1 s"')
+        said = self.said("preload", case, "--bearing", "TB2", "-o", "unused", *keys, code=None)
+        self.assertIn("thermal.growth = false is not for `preload`", said)
+        self.assertIn('bearings.TB2.cage = "free" is not for `preload`', said)
+        self.assertNotIn("is not for", self.said("check", case, *keys[:4]))
+        # Nor has what rolling contacts conduct by, where they do not.
+        for key in ('oil_film="0.1 um"', 'ball_track="wandering"'):
+            for way, is_told in (("fixed", True), ("rolling", False)):
+                said = self.said("check", case, "--set", f"thermal.{key}", "--set", f'thermal.contact_conduction="{way}"')
+                self.assertEqual(f"thermal.{key.partition('=')[0]} does not count" in said, is_told)
         # O-rings have 1 to 30 K/W, a ribbon has not.
         for file, is_told in ((case, True), (MANY_PARTS, False)):
             self.assertEqual("fit_resistance = 12 K/W is unusual" in self.said("check", file, "--set", 'thermal.fit_resistance="12 K/W"'), is_told)

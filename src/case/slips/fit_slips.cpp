@@ -160,11 +160,23 @@ void look_at_friction(const ContactParameters& c, const Node& tree, std::vector<
          "Surfaces at rest hold each other better than sliding ones: they may be exchanged.");
 }
 
+/// What rolling contacts conduct by, where they do not conduct.
+void look_at_rolling_conduction(const ThermalParameters& thermal, const Node& tree, std::vector<Fault>& warnings) {
+  if (thermal.contact_conduction == BallConductionModel::rolling) return;
+  for (const auto& [key, counts] : {std::pair{"oil_film", thermal.oil_film > 0.},
+                                    std::pair{"ball_track", thermal.ball_track != BallTrack::repeating}})
+    if (counts)
+      warn(warnings, position_of_value(table_at(tree, "thermal"), key),
+           fmt::format("thermal.{} does not count: balls conduct by the resistance R5.", key),
+           "It is part of thermal.contact_conduction = \"rolling\".");
+}
+
 }  // namespace
 
 void look_at_fits(const CaseParameters& p, const Node& tree, std::vector<Fault>& warnings) {
   look_at_friction(p.contact, tree, warnings);
   look_at_fit_resistance(p, tree, warnings);
+  look_at_rolling_conduction(p.thermal, tree, warnings);
   for (const auto& entry : p.bearings)
     if (const auto* b = entry.touchdown()) {
       const Node& table = table_at(tree, "bearings", entry.name);
@@ -176,11 +188,24 @@ void look_at_fits(const CaseParameters& p, const Node& tree, std::vector<Fault>&
     }
 }
 
-std::vector<Fault> look_at_ways_of_heat(const CaseParameters& p, const Node& tree) {
+std::vector<Fault> look_at_preload(const CaseParameters& p, const Node& tree) {
   std::vector<Fault> warnings;
-  if (!follows_heat_to_housings(p, tree))
-    for (const auto& entry : p.bearings)
-      if (const auto* b = entry.touchdown()) look_at_conduction(entry.name, *b, p, tree, warnings);
+  const Node& thermal = table_at(tree, "thermal");
+  constexpr const char* feeds_back =
+      "There the growth of rings and balls always counts: heat is what changes a preload.";
+  if (!p.thermal.growth)
+    warn(warnings, position_of_value(thermal, "growth"), "thermal.growth = false is not for `preload`.", feeds_back);
+  if (p.thermal.driver == no_driver || p.thermal.driver == recorded_driver)
+    warn(warnings, position_of_value(thermal, "driver"),
+         fmt::format("thermal.driver = \"{}\" is not for `preload`.", p.thermal.driver), feeds_back);
+  for (const auto& entry : p.bearings) {
+    const auto* b = entry.touchdown();
+    if (b && !follows_heat_to_housings(p, tree)) look_at_conduction(entry.name, *b, p, tree, warnings);
+    if (b && b->cage == CageModel::free)
+      warn(warnings, position_of_value(table_at(tree, "bearings", entry.name), "cage"),
+           fmt::format("bearings.{}.cage = \"free\" is not for `preload`.", entry.name),
+           "There balls and cage roll at the steady speed.");
+  }
   return warnings;
 }
 
