@@ -77,18 +77,10 @@ void sync_directory(const fs::path& directory) {
   if (opened.get() >= 0) ::fsync(opened.get());
 }
 
-}  // namespace
-
-namespace {
-
 /// A fixed name: what a killed writer left is overwritten by the next. Short enough for any name that the file itself may have.
 fs::path name_while_writing(const fs::path& path) {
   return path.parent_path() / (path.filename().string().substr(0, 200) + ".writing");
 }
-
-}  // namespace
-
-namespace {
 
 /// Where nothing was before, a missing place is the user's, as in /proc.
 [[noreturn]] void throw_not_made(const fs::path& path, int error) {
