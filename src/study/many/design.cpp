@@ -214,11 +214,18 @@ void make_saltelli(const Study& study, std::size_t d, Design& design) {
   }
 }
 
-/// Morris 1991: trajectories on a grid of p levels, each step p/2 levels.
-void make_morris(const Study& study, std::size_t d, Design& design) {
+/// Morris 1991: trajectories on a grid of p levels, each step p/2 levels. The levels of a list are its values, whatever their weights.
+void make_morris(const Study& study, const std::vector<std::size_t>& drawn, Design& design) {
+  const std::size_t d = drawn.size();
   const auto r = static_cast<std::size_t>(*study.design.size);
   require_few(static_cast<double>(r) * static_cast<double>(d + 1), study);
-  const int p = study.design.levels.value_or(4), step = p / 2;
+  std::vector<int> p, step;
+  for (const auto i : drawn) {
+    const auto& distribution = study.parameters[i].distribution;
+    p.push_back(distribution.is_continuous() ? study.design.levels.value_or(4)
+                                             : static_cast<int>(distribution.values.size()));
+    step.push_back(p.back() / 2);
+  }
   const auto seed = static_cast<std::uint64_t>(study.design.seed);
   design.n_blocks = r;
   design.n_rows = r * (d + 1);
@@ -228,20 +235,21 @@ void make_morris(const Study& study, std::size_t d, Design& design) {
     std::vector<std::size_t> order(d);
     std::iota(order.begin(), order.end(), std::size_t{0});
     for (std::size_t j = 0; j < d; ++j) {
-      level[j] = static_cast<int>(uniform_number(seed, t, j) * step);
+      level[j] = static_cast<int>(uniform_number(seed, t, j) * (p[j] - step[j]));
       sign[j] = uniform_number(seed, t, sign_column + j) < 0.5 ? 1 : -1;
-      if (sign[j] < 0) level[j] += step;
+      if (sign[j] < 0) level[j] += step[j];
     }
     for (std::size_t j = d; j-- > 1;)
       std::swap(
           order[j],
           order[static_cast<std::size_t>(uniform_number(seed, t, order_column + j) * static_cast<double>(j + 1))]);
     const auto add = [&] {
-      for (const int k : level) design.unit.push_back(static_cast<double>(k) / (p - 1));
+      for (std::size_t j = 0; j < d; ++j)
+        design.unit.push_back(p[j] > 1 ? static_cast<double>(level[j]) / (p[j] - 1) : 0.);
     };
     add();
     for (const auto j : order) {
-      level[j] += sign[j] * step;
+      level[j] += sign[j] * step[j];
       add();
     }
   }
@@ -257,19 +265,16 @@ void fill_cells(const Study& study, const std::vector<std::size_t>& drawn, Desig
     if (!distribution.is_continuous()) design.nodes[j] = distribution.values;
     std::vector<double> levels;
     if (design.kind == DesignKind::morris && distribution.is_continuous())
-      levels = distribution.levels(static_cast<std::size_t>(design.morris_levels));
+      levels = distribution.levels(static_cast<std::size_t>(design.morris_levels[j]));
     for (std::size_t row = 0; row < design.n_rows; ++row) {
-      double u = design.unit[row * d + j];
+      const double u = design.unit[row * d + j];
       double& cell = design.cells[row * d + j];
       if (design.kind == DesignKind::morris) {
-        const auto k = static_cast<std::size_t>(std::lround(u * (design.morris_levels - 1)));
-        u = (static_cast<double>(k) + 0.5) / design.morris_levels;
-        if (!levels.empty()) {
-          cell = levels[k];
-          continue;
-        }
+        const auto k = static_cast<std::size_t>(std::lround(u * (design.morris_levels[j] - 1)));
+        cell = levels.empty() ? static_cast<double>(k) : levels[k];
+      } else {
+        cell = distribution.is_continuous() ? distribution.quantile(u) : static_cast<double>(distribution.index(u));
       }
-      cell = distribution.is_continuous() ? distribution.quantile(u) : static_cast<double>(distribution.index(u));
     }
   }
 }
@@ -308,7 +313,7 @@ Design make_design(const Study& study) {
       make_saltelli(study, drawn.size(), design);
       break;
     case DesignKind::morris:
-      make_morris(study, drawn.size(), design);
+      make_morris(study, drawn, design);
       break;
     default:
       make_sample(study, drawn.size(), design);

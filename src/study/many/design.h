@@ -18,7 +18,7 @@ struct Design {
   std::size_t n_rows = 0, n_drawn = 0;
   std::size_t n_blocks =
       0;  ///< of Saltelli's design: rows A, B, A with parameter 1 of B, ...; of Morris's: trajectories
-  int morris_levels = 0;
+  std::vector<int> morris_levels;  ///< [n_drawn] of Morris's design
   std::vector<double>
       unit;  ///< [n_rows, n_drawn] coordinates in the unit cube of sampled designs; of Morris's: k / (levels - 1)
   std::vector<double> cells;  ///< [n_rows, n_drawn] value in SI, or index into `nodes` where that is not empty

@@ -35,7 +35,7 @@ Section<DesignParameters> design_section() {
           "levels", &P::levels,
           {.range = between(2, 100000),
            .help = "Levels of parameters without values of their own in a grid or one-at-a-time (5), and of the grid "
-                   "of Morris (4; an even number)."})
+                   "of Morris (4; an even number). The levels of a list are its values."})
       .boolean("scramble", &P::scramble,
                {.fallback = true,
                 .help = "Of sobol-sequence and saltelli: a random digital shift that follows from the seed. Without it "

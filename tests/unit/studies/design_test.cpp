@@ -8,6 +8,7 @@
 #include <numeric>
 #include <set>
 
+#include "study/many/answers/sensitivity.h"
 #include "study_inputs.h"
 
 using namespace rotordrop;
@@ -151,6 +152,70 @@ TEST(Morris, ChangesEachParameterOnceByTwoThirdsInEveryTrajectory) {
       }
     EXPECT_THAT(changed, ElementsAre(0, 1, 2));
   }
+}
+
+// Lists of 2, 3 and 8 values beside a range of 4 levels. A result 7 i + f(j) + 0.5 k + 30 x, with i, j, k the places in the lists and x the range:
+// over its whole list the first parameter changes it by 7 (2 - 1), the third by 0.5 (8 - 1), the range by 30.
+TEST(Morris, StepsThroughAllValuesOfAListWhateverTheirWeights) {
+  const Design d = design_of(R"(
+[vary]
+"contact.friction_coefficient" = { values = [0.1, 0.3], weights = [9, 1] }
+"rotor.modal_damping" = [0.1, 0.2, 0.7]
+"thermal.share_to_ring" = [0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.9]
+"contact.air_gap" = { range = [0, 1] }
+[design]
+kind = "morris"
+size = 60
+)");
+  const std::vector<std::vector<double>> lists{{0.1, 0.3}, {0.1, 0.2, 0.7}, {0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.9}};
+  const double f[] = {0., 5., 1.};
+  std::vector<double> y;
+  std::vector<std::vector<double>> place(d.n_rows);
+  std::vector<std::set<double>> used(3);
+  for (std::size_t row = 0; row < d.n_rows; ++row) {
+    for (std::size_t j = 0; j < 3; ++j) {
+      const double value = at(d, row, j);
+      used[j].insert(value);
+      const auto found = std::find(lists[j].begin(), lists[j].end(), value);
+      place[row].push_back(static_cast<double>(found - lists[j].begin()));
+    }
+    place[row].push_back(at(d, row, 3));
+    const auto& p = place[row];
+    y.push_back(7. * p[0] + f[static_cast<std::size_t>(p[1])] + 0.5 * p[2] + 30. * p[3]);
+  }
+  for (std::size_t j = 0; j < 3; ++j) EXPECT_EQ(used[j].size(), lists[j].size()) << j;
+  const auto effects = morris_effects(d.unit, y, 4, 1);
+  const double whole[] = {1., 2., 7., 1.};  // steps from end to end, and the whole range
+  for (std::size_t j = 0; j < 4; ++j) {
+    double sum = 0.;
+    int n = 0;
+    for (std::size_t row = 0; row + 1 < d.n_rows; ++row) {
+      const double change = place[row + 1][j] - place[row][j];
+      if (row % 5 == 4 || change == 0.) continue;
+      sum += (y[row + 1] - y[row]) / change * whole[j];
+      ++n;
+    }
+    EXPECT_EQ(effects[j].n, 60U) << j;
+    EXPECT_EQ(n, 60) << j;
+    EXPECT_NEAR(effects[j].mean, sum / n, 1e-12) << j;
+  }
+  EXPECT_NEAR(effects[0].mean, 7., 1e-12);
+  EXPECT_NEAR(effects[2].mean, 3.5, 1e-12);
+  EXPECT_NEAR(effects[3].mean, 30., 1e-12);
+  EXPECT_GT(effects[1].deviation, 5.) << "up by 5 and down by 4 over one step";
+}
+
+TEST(Morris, LeavesAListOfOneValueAlone) {
+  const Design d = design_of(R"(
+[vary]
+"contact.friction_coefficient" = [0.2]
+"thermal.share_to_ring" = [0.1, 0.2]
+[design]
+kind = "morris"
+size = 8
+)");
+  for (std::size_t row = 0; row < d.n_rows; ++row) EXPECT_EQ(at(d, row, 0), 0.2);
+  EXPECT_EQ(morris_effects(d.unit, std::vector<double>(d.n_rows, 1.), 2, 1)[0].n, 0U);
 }
 
 TEST(Saltelli, ExchangesOneColumnInEveryRowOfABlock) {
