@@ -89,6 +89,27 @@ class Lumped(ProgramTest):
                 self.assertEqual(report["bearings"][name]["bore"]["mean_from"], "half space")
                 self.assertNotIn("temperatures", report["bearings"][name])
 
+    def test_runs_of_other_lengths_are_compared_over_the_time_that_both_have(self):
+        # The same drop, cut within its first impact (7.4 to 10.6 ms): up to there nothing differs.
+        self.succeed("run", short_case(self, "short.toml", ["lumped"], end="9 ms"), "-o", "short")
+        for this, other in (("a", "short"), ("short", "a")):
+            text = self.succeed("compare", this, "--against", other).stdout
+            self.assertIn("compared until 9 ms, the end of the shorter one", text)
+            report = json.loads((self.folder / this / "comparison.json").read_text())
+            with h5py.File(self.folder / "a/results.h5") as file:
+                within = file["/time"][:] <= 9e-3 + 1e-12
+                for name in ("TB1", "TB2"):
+                    runs = report["bearings"][name]["runs"]
+                    self.assertAlmostEqual(runs["until"], 9e-3, delta=1e-12)
+                    self.assertEqual(sorted(round(end, 9) for end in runs["ends"].values()), [9e-3, 15e-3])
+                    for forces in runs["forces"].values():
+                        self.assertAlmostEqual(forces["peak_contact_force"], file[f"/bearings/{name}/contact_force"][within].max(), delta=1e-2)
+                        for key, path in (("impulse", "contact_impulse"), ("rub_heat", "rub_heat")):
+                            total = file[f"/ledger/{name}/{path}"][within][-1]
+                            self.assertAlmostEqual(forces[key], total, delta=1e-6 * total, msg="the last step of the shorter run ends at its end")
+                    self.assertAlmostEqual(runs["forces"]["this"]["first_impact_peak"], runs["forces"]["against"]["first_impact_peak"], delta=1e-2)
+        self.assertNotIn("the shorter one", self.succeed("compare", "a", "--against", "b").stdout)
+
     def test_a_run_against_itself_differs_by_nothing(self):
         self.succeed("compare", "a", "--against", "a")
         report = json.loads((self.folder / "a/comparison.json").read_text())

@@ -40,18 +40,37 @@ Json lumping_json(const std::vector<LumpedBody>& bodies, const Impact& impact, c
   return j;
 }
 
-Json forces_json(const RecordedDrop& drop, const std::string& bearing, const Impact& impact) {
-  const Extreme peak = largest_of(drop.series("/bearings/" + bearing + "/contact_force"));
+/// Last time of a bearing's series.
+double end_of(const RecordedDrop& drop, const std::string& bearing) {
+  return drop.series("/bearings/" + bearing + "/orbit").times.back();
+}
+
+/// The first impact as far as a time: two runs are compared over the time that both have.
+Impact first_impact_until(const RecordedDrop& drop, const std::string& bearing, double until) {
+  Impact impact = first_impact(drop, bearing);
+  if (!std::isfinite(impact.start) || impact.end <= until) return impact;
+  if (impact.start >= until) return {};
+  impact.end = until;
+  const auto peak = largest_of(drop.series("/bearings/" + bearing + "/contact_force"), impact.start, until);
+  impact.peak = peak ? peak->value : 0.;
+  impact.peak_time = peak ? peak->time : std::nan("");
+  return impact;
+}
+
+/// Of one run until a time.
+Json forces_json(const RecordedDrop& drop, const std::string& bearing, const Impact& impact, double until) {
+  const TimeSeries force = drop.series("/bearings/" + bearing + "/contact_force");
+  const auto peak = largest_of(force, force.times.front(), until);
   const TimeSeries impulse = drop.series("/ledger/" + bearing + "/contact_impulse");
   const TimeSeries heat = drop.series("/ledger/" + bearing + "/rub_heat");
   const bool has_impact = std::isfinite(impact.start);
   return {
-      {"peak_contact_force", peak.value},
-      {"peak_contact_force_time", peak.time},
+      {"peak_contact_force", peak ? Json(peak->value) : Json(nullptr)},
+      {"peak_contact_force_time", peak ? Json(peak->time) : Json(nullptr)},
       {"first_impact_peak", has_impact ? Json(impact.peak) : Json(nullptr)},
       {"first_impact_impulse", has_impact ? Json(impulse.at(impact.end) - impulse.at(impact.start)) : Json(nullptr)},
-      {"impulse", impulse.values.back()},
-      {"rub_heat", heat.values.back()}};
+      {"impulse", impulse.at(until)},
+      {"rub_heat", heat.at(until)}};
 }
 
 /// The run that a model is taken from: this one if it has the model.
@@ -81,8 +100,8 @@ Json compare_bearing(const std::string& name, const TouchdownParameters& p, cons
                      const RecordedDrop* against, const std::vector<ModelOfRun>& models,
                      const ComparisonOptions& options, std::vector<BoreTemperatures>& bores) {
   const Impact impact = first_impact(drop, name);
-  double end = drop.series("/bearings/" + name + "/orbit").times.back();
-  if (against) end = std::min(end, against->series("/bearings/" + name + "/orbit").times.back());
+  double end = end_of(drop, name);
+  if (against) end = std::min(end, end_of(*against, name));
   const auto instants = instants_of(impact, end, options.instants);
 
   const RubbedBore rubbed = rubbed_bore(name, p, drop, options.band_length);
@@ -109,7 +128,7 @@ Json compare_bearing(const std::string& name, const TouchdownParameters& p, cons
   j["bore"] = std::move(bore.report);
   bores.push_back(std::move(bore.temperatures));
   j["lumping"] = lumping_json(lumped_bodies(drop.parameters(), name, p), impact, instants);
-  j["forces"] = forces_json(drop, name, impact);
+  j["forces"] = forces_json(drop, name, impact, end_of(drop, name));
   return j;
 }
 
@@ -117,12 +136,14 @@ Json compare_bearing(const std::string& name, const TouchdownParameters& p, cons
 Json compare_runs(const std::string& name, const RecordedDrop& drop, const RecordedDrop& against,
                   const ComparisonOptions& options) {
   const Names names{"this", "against"};
-  const double end = std::min(drop.series("/bearings/" + name + "/orbit").times.back(),
-                              against.series("/bearings/" + name + "/orbit").times.back());
-  const auto instants = instants_of(first_impact(drop, name), end, options.instants);
+  const double ends[] = {end_of(drop, name), end_of(against, name)}, until = std::min(ends[0], ends[1]);
+  const Impact impact = first_impact_until(drop, name, until);
+  const auto instants = instants_of(impact, until, options.instants);
   Json j;
-  j["forces"] = {{"this", forces_json(drop, name, first_impact(drop, name))},
-                 {"against", forces_json(against, name, first_impact(against, name))}};
+  j["until"] = until;
+  j["ends"] = {{"this", ends[0]}, {"against", ends[1]}};
+  j["forces"] = {{"this", forces_json(drop, name, impact, until)},
+                 {"against", forces_json(against, name, first_impact_until(against, name, until), until)}};
   const std::string gap = "/bearings/" + name + "/clearance", expansion = "/bearings/" + name + "/expansion";
   j["air_gap"] = difference_json(drop.series(gap), against.series(gap), {options.growth}, names, instants);
   for (std::size_t c = 0; c < growth_surface_keys.size(); ++c)
