@@ -4,6 +4,7 @@
 //   waves      Rastrigin's of 5x - 1, 5y + 1: 0 at x = 0.2, y = -0.2, with a hundred other minima, the next ones 1
 //   spread     (x - u)^2 with u uniform on (0, 1): the mean over u is smallest at 1/2, where it is the variance 1/12
 //   slope      x + y: smallest at the corner of the box x = y = -1
+//   x          under a curved function of x that is 1/4 at its edge: smallest at the edge
 //   rough      (x - 0.3)^2 + 0.1 n, n of +-1 by the replicate's height: chaos whose mean is known
 #include <gtest/gtest.h>
 
@@ -37,6 +38,11 @@ PointResult closed_forms(const PointRequest& request) {
                     {"valley", std::pow(1. - 2. * x, 2) + 100. * std::pow(2. * y - 4. * x * x, 2)},
                     {"waves", wave(5. * x - 1.) + wave(5. * y + 1.)},
                     {"slope", x + y},
+                    {"x", x},
+                    {"minus_x", -x},
+                    {"exp_3x", std::exp(3. * x)},
+                    {"cubic", x * x * x + 0.5 * x},
+                    {"sharp", std::sqrt(x + 1.)},
                     {"spread", std::pow(x - u, 2)},
                     {"rough", std::pow(x - 0.3, 2) + 0.1 * n}};
   return result;
@@ -82,6 +88,45 @@ TEST_F(Minimise, KeepsALimitAtWhichTheMinimumLies) {
   EXPECT_GE(j["best"]["limits"][0]["lower_value"].get<double>(), 1.);
   EXPECT_EQ(j["start"]["value"], 0.);
   EXPECT_FALSE(j["start"]["within_limits"].get<bool>());
+}
+
+// Linear models of a curved limit lead to a place a hair outside it: the best allowed evaluation must come to the edge all the same, 0.3 in each.
+// The steps end at 1e-3 of the range (2).
+TEST_F(Minimise, ComesToTheEdgeOfACurvedLimitFromItsAllowedSide) {
+  const std::pair<const char*, double> limits[] = {
+      {"exp_3x", std::exp(0.9)}, {"cubic", 0.3 * 0.3 * 0.3 + 0.15}, {"sharp", std::sqrt(1.3)}};
+  int n = 0;
+  for (const auto& [limit, edge] : limits)
+    for (const bool is_min : {true, false})
+      for (const double start : {-170., -50., 20., 100., 160.}) {
+        std::string text = one;
+        text.replace(text.find(" }"), 2, ", reference = \"" + std::to_string(start) + " deg\" }");
+        text += "[limits]\n" + std::string(limit) + (is_min ? " = { min = " : " = { max = ") + std::to_string(edge) +
+                " }\n[minimise]\nresult = \"" + (is_min ? "x" : "minus_x") + "\"\nevaluations = 60\n";
+        const auto j = run(text, closed_forms, "edge-" + std::to_string(n++));
+        EXPECT_NEAR(best(j, 0), 0.3, 0.004) << text;
+        EXPECT_TRUE(j["best"]["within_limits"].get<bool>());
+        EXPECT_FALSE(j["searches"][0]["ended_outside_limits"].get<bool>()) << text;
+      }
+}
+
+TEST_F(Minimise, SaysThatItEndedOutsideALimitWhereNoEvaluationIsLeft) {
+  int n_told = 0;
+  for (int n = 3; n < 12; ++n) {
+    const auto j = run(
+        std::string(one) +
+            "[limits]\nexp_3x = { min = 0.5 }\n[minimise]\nresult = \"x\"\nevaluations = " + std::to_string(n) + "\n",
+        closed_forms, "few-" + std::to_string(n));
+    const auto& last = j["course"].back();
+    const bool is_told = j["searches"][0]["ended_outside_limits"].get<bool>();
+    n_told += is_told;
+    if (is_told) {
+      EXPECT_FALSE(last["within_limits"].get<bool>());
+      EXPECT_LT(last["value"].get<double>(), j["best"]["value"].get<double>());
+      EXPECT_NE(minimise_text(j).find("ended outside a limit"), std::string::npos);
+    }
+  }
+  EXPECT_GT(n_told, 0);
 }
 
 TEST_F(Minimise, FollowsACurvedValley) {

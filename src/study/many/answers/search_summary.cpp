@@ -11,6 +11,7 @@
 #include "study/many/answers/result_check.h"
 #include "study/many/answers/statistics.h"
 #include "study/many/search/evaluation.h"
+#include "study/many/search/search_space.h"
 
 namespace rotordrop {
 namespace {
@@ -84,6 +85,31 @@ Json limits_of(const Study& study, const StepValues& values, const LimitVerdicts
   return list;
 }
 
+/// Whether the last evaluation of a local search is better than its best allowed one, lies outside a limit, and no allowed one is near it.
+/// @param course  evaluations of this search
+bool ends_outside(const Study& study, const std::vector<const Json*>& course, const Json& best) {
+  if (course.empty() || best.is_null()) return false;
+  const Json& last = *course.back();
+  if (study.minimise->method != MinimiseMethod::cobyla || last["within_limits"] == true || !last["value"].is_number() ||
+      !(last["value"].get<double>() < best["value"].get<double>()))
+    return false;
+  const SearchSpace space(study);
+  const auto place_of = [&](const Json& step) {
+    std::vector<double> values;
+    for (std::size_t i = 0; i < space.n_dimensions(); ++i)
+      values.push_back(step["parameters"][space.parameter(i).name].get<double>());
+    return space.place(values);
+  };
+  const auto end = place_of(last);
+  return std::none_of(course.begin(), course.end(), [&](const Json* step) {
+    if ((*step)["within_limits"] == false) return false;
+    const auto place = place_of(*step);
+    double distance = 0.;
+    for (std::size_t i = 0; i < end.size(); ++i) distance = std::max(distance, std::fabs(place[i] - end[i]));
+    return distance <= 2. * study.minimise->tolerance;
+  });
+}
+
 }  // namespace
 
 Json minimise_summary(const Study& study, const Design& design, const StudyTable& table,
@@ -138,10 +164,16 @@ Json minimise_summary(const Study& study, const Design& design, const StudyTable
     one["limits"] = limits_of(study, values, verdicts, k);
     return one;
   };
-  for (std::size_t s = 0; s < best_of.size(); ++s)
+  for (std::size_t s = 0; s < best_of.size(); ++s) {
+    std::vector<const Json*> own;
+    for (const auto& step : j["course"])
+      if (step["search"] == s) own.push_back(&step);
+    const Json its_best = best_of[s] ? j["course"][*best_of[s]] : Json(nullptr);
     j["searches"].push_back({{"evaluations", n_of[s]},
                              {"all_used", n_of[s] >= study.evaluations_of_search()},
-                             {"best", best_of[s] ? j["course"][*best_of[s]] : Json(nullptr)}});
+                             {"ended_outside_limits", ends_outside(study, own, its_best)},
+                             {"best", its_best}});
+  }
   if (best) j["best"] = entry(*best);
   if (!design.steps.empty()) j["start"] = entry(0);
   return j;
@@ -185,14 +217,22 @@ std::string minimise_text(const Json& j) {
                           limit["result"].get<std::string>(), n, j["drops_of_evaluation"].get<std::size_t>());
   }
   const auto first = best["points"][0].get<std::size_t>(), last = best["points"][1].get<std::size_t>();
-  std::size_t n_all_used = 0;
-  for (const auto& search : j["searches"]) n_all_used += search["all_used"].get<bool>();
+  std::size_t n_all_used = 0, n_outside = 0;
+  for (const auto& search : j["searches"]) {
+    n_all_used += search["all_used"].get<bool>();
+    n_outside += search.value("ended_outside_limits", false);
+  }
   text += fmt::format("  found in {} evaluations by {}; {}\n", j["evaluations"].get<std::size_t>(),
                       j["method"].get<std::string>(),
                       first == last ? fmt::format("point {}", first) : fmt::format("points {} to {}", first, last));
   if (n_all_used > 0)
     text += fmt::format("  {} of {} searches used all their evaluations: a further one might find less\n", n_all_used,
                         j["searches"].size());
+  if (n_outside > 0)
+    text += fmt::format(
+        "  {} of {} searches ended outside a limit, at a smaller value, with no evaluation left for steps back to the "
+        "allowed side: give more evaluations\n",
+        n_outside, j["searches"].size());
   return text;
 }
 

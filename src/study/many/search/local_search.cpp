@@ -61,6 +61,9 @@ class Evaluations {
       }
     }
     if (std::isfinite(found.value)) {
+      const auto& limits = found.constraints;
+      if (std::all_of(limits.begin(), limits.end(), [](double c) { return c <= 0.; }))
+        allowed_.emplace(place, found.value);
       worst_ = n_good_ ? std::max(worst_, found.value) : found.value;
       best_ = n_good_++ ? std::min(best_, found.value) : found.value;
     } else {
@@ -76,6 +79,26 @@ class Evaluations {
   [[nodiscard]] double scale() const { return best_ != 0. ? std::fabs(best_) : 1.; }
   void rethrow() const {
     if (error_) std::rethrow_exception(error_);
+  }
+  /// A method may end a hair outside a limit, where the best allowed place can be an early one: halving the way between the two finds the edge.
+  void step_back(const std::vector<double>& end, double tolerance) {
+    const auto last = known_.find(end);
+    if (last == known_.end() || allowed_.empty() || allowed_.contains(end)) return;
+    const auto best = std::min_element(allowed_.begin(), allowed_.end(),
+                                       [](const auto& a, const auto& b) { return a.second < b.second; });
+    if (!(last->second.value < best->second)) return;
+    std::vector<double> inside = best->first, outside = end;
+    const auto distance = [&] {
+      double largest = 0.;
+      for (std::size_t i = 0; i < inside.size(); ++i) largest = std::max(largest, std::fabs(inside[i] - outside[i]));
+      return largest;
+    };
+    while (!error_ && known_.size() < most_ && distance() > tolerance) {
+      std::vector<double> middle = inside;
+      for (std::size_t i = 0; i < middle.size(); ++i) middle[i] = 0.5 * (inside[i] + outside[i]);
+      at(static_cast<unsigned>(middle.size()), middle.data());
+      (allowed_.contains(middle) ? inside : outside) = std::move(middle);
+    }
   }
   /// Whether a method came back to known places for so long that it would not end.
   [[nodiscard]] bool is_going_round() const { return n_back_ >= most_back; }
@@ -97,6 +120,7 @@ class Evaluations {
   const Evaluate& evaluate_;
   const std::function<void()>& between_;
   std::map<std::vector<double>, SearchValue> known_;
+  std::map<std::vector<double>, double> allowed_;  ///< values of those that keep all limits
   std::exception_ptr error_;
   double worst_ = 0, best_ = 0;
   std::size_t n_good_ = 0, n_back_ = 0;
@@ -148,6 +172,7 @@ bool search_minimum(const MinimiseParameters& settings, const std::vector<double
   std::vector<double> x = start;
   double smallest = 0.;
   const nlopt_result result = nlopt_optimize(optimiser.get(), x.data(), &smallest);
+  if (n_constraints > 0) evaluations.step_back(x, settings.tolerance);
   evaluations.rethrow();
   if (result == NLOPT_OUT_OF_MEMORY || result == NLOPT_INVALID_ARGS)
     throw SolverError("NLopt's " + name_of(settings.method) + " cannot search here: " +

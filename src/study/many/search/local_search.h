@@ -14,7 +14,7 @@ struct SearchValue {
 };
 
 /// One search by NLopt in the unit cube. It ends when its steps are small, its evaluations are used up, or it asked 10 000 times in a row for places
-/// that it knows. The same input gives the same course: random numbers of the methods follow from the seed.
+/// that it knows. Where a method ends outside a limit, what is left of its evaluations goes into steps back to the allowed side. The same input gives the same course: random numbers of the methods follow from the seed.
 /// @param evaluate  of a place [n] that was not asked for before; what it throws ends the search and comes out
 /// @param between   called where no place is evaluated; what it throws ends the search and comes out
 /// @return          false if the method came back to known places only
