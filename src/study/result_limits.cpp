@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <cstdlib>
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <set>
@@ -41,12 +42,42 @@ void collect(const Json& value, const std::string& path, std::vector<std::pair<s
   }
 }
 
+/// Whether a unit counts from another zero than kelvin does, as degC and degF.
+bool has_offset(const std::string& text) {
+  char* rest = nullptr;
+  std::strtod(text.c_str(), &rest);
+  const auto zero = convert_to_si(std::string("0") + rest, "K", QuantityKind::temperature);
+  return zero && zero.value != 0.;
+}
+
+/// "110 degC" as a limit of a rise: a temperature, or a rise of 110 K?
+void refuse_offset(const Limit& limit, const std::string& name, const std::string& text, Faults& faults) {
+  const auto rise = convert_to_si(text, "K", QuantityKind::temperature_difference),
+             temperature = convert_to_si(text, "K", QuantityKind::temperature);
+  constexpr double usual_ambient = 293.15;
+  const std::string above =
+      temperature && temperature.value > usual_ambient
+          ? fmt::format("\"{:.6g} K\" for {} at run.ambient = 20 degC", temperature.value - usual_ambient, text)
+          : std::string("the temperature less run.ambient");
+  faults.add(
+      limit.where,
+      fmt::format("limits.{}: the result is a temperature rise, but \"{}\" counts from another zero.", name, text),
+      fmt::format("Write a rise in kelvin: {}{}.", above,
+                  rise ? fmt::format(", or \"{:.6g} K\" if a rise by so much was meant", rise.value) : ""));
+}
+
 std::optional<double> bound(const Limit& limit, const std::string& name, const std::string& text, std::string unit,
                             Faults& faults) {
   if (text.empty()) return {};
   if (unit.empty()) unit = "1";
   auto kind = kind_of(unit);
-  if (kind == QuantityKind::temperature) kind = QuantityKind::temperature_difference;  // results are rises
+  if (kind == QuantityKind::temperature && name != "run.ambient") {
+    kind = QuantityKind::temperature_difference;  // all other results are rises
+    if (has_offset(text)) {
+      refuse_offset(limit, name, text, faults);
+      return {};
+    }
+  }
   const auto value = convert_to_si(text, unit, kind, "limits." + name);
   if (value) return value.value;
   faults.add(limit.where, value.error + ".", value.advice);

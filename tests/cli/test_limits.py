@@ -60,6 +60,16 @@ class Limits(ProgramTest):
         self.assertEqual([row["state"] for row in data["acceptance"]["rows"]], ["warning", "ok"])
         self.assertLess(list(data).index("acceptance"), list(data).index("numbers"), "first")
 
+    def test_a_rise_takes_no_unit_with_another_zero(self):
+        rise = "bearings.TB1.local.bore_rise"
+        for value, words in (("110 degC", '"90 K" for 110 degC at run.ambient = 20 degC, or "110 K"'), ("90 degF", "is a temperature rise, but")):
+            done = self.call("run", self.limited(f'{rise}.max = "{value}"\n'), "-o", "out")
+            self.assertEqual(done.returncode, 2, done.stdout)
+            self.assertIn(words, done.stderr)
+            self.assertFalse((self.folder / "out").exists())
+        self.succeed("run", self.limited(f'{rise}.max = "110 K"\n'), "-o", "out")
+        self.assertEqual(self.entry(rise)["limit"], 110)
+
     def test_the_exit_code_follows_only_if_asked(self):
         bad, good = self.limited(f'{PEAK}.max = "1 kN"\n'), self.limited(f'{PEAK}.max = "50 kN"\n', "good.toml")
         self.succeed("run", bad, "-o", "a")
