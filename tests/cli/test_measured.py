@@ -157,6 +157,27 @@ class Measured(ProgramTest):
         self.assertEqual(done.returncode, 2, done.stdout)
         self.assertIn("none of the 3 values", done.stderr)
 
+    def test_an_empty_cell_at_the_end_is_no_number(self):
+        self.write("m.csv", "time [ms],/bearings/TB1/orbit[0] [um]\n1,1\n2,\n3,1\n4,1\n")
+        told = self.succeed("compare", "truth", "--measured", "m.csv", "-o", "m.json").stdout
+        self.assertEqual(json.loads((self.folder / "m.json").read_text())["measured"][0]["n"], 3)
+        self.assertIn("the measured values do not vary", told)
+        self.assertNotIn("nan", told)
+
+    def test_datasets_of_hdf5_have_the_unit_of_their_attribute(self):
+        with h5py.File(self.folder / "m.h5", "w") as h5:
+            for name, values, unit in (("t", [1, 2, 3], "ms"), ("y", [100, 100, 100], "um"), ("si", [1e-4, 1e-4, 1e-4], None)):
+                h5[name] = values if unit is None else numpy.array(values, dtype=float)
+                if unit:
+                    h5[name].attrs["units"] = unit
+        found = []
+        for name in ("y", "si"):
+            self.write("m.toml", f'[[measured]]\nfile = "m.h5"\nseries = "/bearings/TB1/orbit"\ntime = "t"\nvalue = "{name}"\n')
+            self.succeed("compare", "truth", "--measured", "m.toml", "-o", "m.json", "--force")
+            found.append(json.loads((self.folder / "m.json").read_text())["measured"][0])
+        self.assertEqual(found[0]["n"], 3)
+        self.assertAlmostEqual(found[0]["rms"], found[1]["rms"], delta=1e-12)
+
     def test_what_cannot_be_compared_is_told(self):
         self.write("bad.csv", "time,/bearings/TB1/orbitt[0] [um]\n0,1\n1e-3,2\n2e-3,3\n")
         self.assertIn('Did you mean "/bearings/TB1/orbit"', self.call("compare", "truth", "--measured", "bad.csv").stderr)

@@ -15,34 +15,12 @@
 #include "io/hdf5/recorded_series.h"
 #include "io/text/input_file.h"
 #include "io/text/toml_reader.h"
+#include "study/unit_scale.h"
 
 namespace rotordrop {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// How a column's numbers become SI: zero + factor * number.
-struct UnitScale {
-  std::string unit;  ///< SI
-  double zero = 0, factor = 1;
-};
-
-/// SI units of the series that a drop has, or parts of others may give it; those of most come first, since J and N m are of one dimension.
-constexpr const char* units_of_series[] = {
-    "m",   "s",   "N",     "K",    "rad/s",   "rad",       "m/s",  "W",    "J",   "Pa",      "N m",      "1",
-    "N s", "N/m", "N s/m", "m/s2", "rad/s2",  "1/s",       "W/m2", "W/K",  "K/W", "W/(m K)", "W/(m2 K)", "J/K",
-    "kg",  "m2",  "m3",    "1/m",  "N m/rad", "N m s/rad", "m2/s", "Pa s", "K/s", "A",       "V"};
-
-/// "um" is a length: tried against the units that series have. None if it is not a unit.
-std::optional<UnitScale> scale_in_si(const std::string& unit) {
-  if (unit.empty() || unit == "1") return UnitScale{unit, 0., 1.};
-  for (const char* si : units_of_series) {
-    const auto kind = kind_of(si);
-    const auto zero = convert_to_si("0 " + unit, si, kind, "unit"), one = convert_to_si("1 " + unit, si, kind, "unit");
-    if (zero && one) return UnitScale{si, zero.value, one.value - zero.value};
-  }
-  return {};
-}
 
 UnitScale scale_of(const std::string& unit, const SourcePosition& where) {
   if (const auto scale = scale_in_si(unit)) return *scale;
@@ -102,8 +80,12 @@ std::vector<Column> read_table(const fs::path& file, const SourcePosition& where
                            : line.find('\t') != std::string::npos ? '\t'
                                                                   : ',';
     std::vector<std::string> cells;
-    std::istringstream parts(line);
-    for (std::string cell; std::getline(parts, cell, separator);) cells.emplace_back(trimmed(cell, blanks));
+    // By hand, since getline() leaves out an empty cell at the end.
+    for (std::size_t from = 0, to = 0; to != std::string::npos; from = to + 1) {
+      to = line.find(separator, from);
+      cells.emplace_back(trimmed(std::string_view(line).substr(from, to - from), blanks));
+    }
+    while (cells.size() > std::max<std::size_t>(columns.size(), 1) && cells.back().empty()) cells.pop_back();
     if (columns.empty() && !number_of(cells.front())) {
       for (const auto& cell : cells) columns.push_back(named_column(cell));
       continue;
@@ -147,10 +129,10 @@ Column dataset_of(const fs::path& file, const std::optional<std::string>& path, 
                   const SourcePosition& where) {
   if (!path)
     throw InputError(where, fmt::format("measured.{} is missing: which dataset of {} it is.", key, file.string()));
-  const Series series = read_series(file, *path);
+  auto [series, meaning] = read_series_with_meaning(file, *path);
   if (series.shape.size() != 1)
     throw InputError(where, fmt::format("dataset {} of {} is not a list of numbers.", *path, file.string()));
-  return {*path, "", series.values};
+  return {*path, meaning.unit, std::move(series.values)};
 }
 
 Measured made(const MeasuredParameters& keys, const Column& times, const Column& values, const SourcePosition& where) {
@@ -199,8 +181,11 @@ Section<MeasuredParameters> measured_section() {
       .text("time", &P::time, {.help = "Column (or HDF5 dataset) of the times; the first one if left out."})
       .text("value", &P::value, {.help = "Column (or HDF5 dataset) of the values; the second one if left out."})
       .text("time_unit", &P::time_unit,
-            {.fallback = "s", .help = "Of times whose column's name tells none, as in \"t [ms]\"."})
-      .text("unit", &P::unit, {.fallback = "", .help = "Of values whose column's name tells none; SI if left out."})
+            {.fallback = "s",
+             .help = "Of times whose column's name (or HDF5 attribute units) tells none, as in \"t [ms]\"."})
+      .text("unit", &P::unit,
+            {.fallback = "",
+             .help = "Of values whose column's name (or HDF5 attribute units) tells none; SI if left out."})
       .quantity("deviation", &P::deviation,
                 {.range = positive(),
                  .help = "Standard deviation of the noise, in the values' unit. Left out: the differences that remain "

@@ -64,12 +64,13 @@ std::string measured_text(const Json& differences) {
       return d[key].is_number() ? fmt::format("{:.4g} {}", d[key].get<double>(), unit) : std::string("?");
     };
     text += fmt::format(
-        "  {}: {} values{}, rms {}{}, mean {}, largest {} at {:.6g} s; {:.4g} % of the variance explained\n",
-        d["series"].get<std::string>(), d["n"].get<std::size_t>(),
+        "  {}: {} values{}, rms {}{}, mean {}, largest {} at {:.6g} s; {}\n", d["series"].get<std::string>(),
+        d["n"].get<std::size_t>(),
         d["after_end"] == 0 ? "" : fmt::format(" ({} after the end of the drop left out)", d["after_end"].get<int>()),
         number("rms"), d.contains("rms_start") ? " (at the start " + number("rms_start") + ")" : "", number("mean"),
         number("largest"), d["largest_time"].get<double>(),
-        d["share"].is_number() ? 100. * d["share"].get<double>() : std::nan(""));
+        d["share"].is_number() ? fmt::format("{:.4g} % of the variance explained", 100. * d["share"].get<double>())
+                               : std::string("the measured values do not vary"));
   }
   return text;
 }
