@@ -150,6 +150,11 @@ Json choice_summary(const Study& study, const Design& design, const StudyTable& 
     std::size_t n_without = 0, n_not_run = 0;
   };
   std::vector<Level> levels;
+  // A small sample may leave out values of a list, by weights or by chance.
+  for (const auto& node : study.parameters[index].distribution.values)
+    if (const Json value = to_json(node);
+        std::none_of(levels.begin(), levels.end(), [&](const Level& l) { return l.value == value; }))
+      levels.push_back({value, {}});
   auto points = sample_points(study, design);
   // Replicates of a row are not independent, and a grid is no sample.
   const bool has_intervals = !points.empty() && study.n_replicates == 1;
@@ -172,11 +177,16 @@ Json choice_summary(const Study& study, const Design& design, const StudyTable& 
          {"result", choice.result},       {"result_unit", column ? column->unit : ""},
          {"quantile", choice.quantile},   {"levels", Json::array()}};
   std::optional<std::size_t> best;
+  bool is_all_drawn = true;
   for (auto& level : levels) {
     Json one{{"value", level.value},
              {"n", level.results.size()},
              {"without_result", level.n_without},
              {"not_run", level.n_not_run}};
+    if (level.results.size() + level.n_without + level.n_not_run == 0) {
+      one["not_drawn"] = true;
+      is_all_drawn = false;
+    }
     if (!level.results.empty()) {
       std::sort(level.results.begin(), level.results.end());
       const Estimate q = quantile_estimate(level.results, choice.quantile);
@@ -193,6 +203,7 @@ Json choice_summary(const Study& study, const Design& design, const StudyTable& 
     j["levels"].push_back(std::move(one));
   }
   j["best"] = best ? j["levels"][*best] : Json(nullptr);
+  j["all_drawn"] = is_all_drawn;
   return j;
 }
 

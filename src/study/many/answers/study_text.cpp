@@ -36,6 +36,10 @@ std::string choice_text(const Json& choice) {
     if (const auto n = level["without_result"].get<std::size_t>(); n > 0)
       without += fmt::format(", {} without this result", n);
     if (const auto n = level.value("not_run", std::size_t{0}); n > 0) without += fmt::format(", {} not run", n);
+    if (level.value("not_drawn", false)) {
+      text += fmt::format("  {:>16}: {:>12}, 0 drops: not drawn\n", number(level["value"], own), "none");
+      continue;
+    }
     if (!level.contains("quantile")) {
       text += fmt::format("  {:>16}: {:>12}{}\n", number(level["value"], own), "none", without);
       continue;
@@ -47,7 +51,9 @@ std::string choice_text(const Json& choice) {
     text += fmt::format("  {:>16}: {:>12}{}; mean {}, {} drops{}{}\n", number(level["value"], own),
                         number(level["quantile"], unit), interval, number(level["mean"], unit),
                         level["n"].get<std::size_t>(), without,
-                        choice["best"].is_object() && level["value"] == choice["best"]["value"] ? "  <- smallest" : "");
+                        choice["best"].is_object() && level["value"] == choice["best"]["value"]
+                            ? choice.value("all_drawn", true) ? "  <- smallest" : "  <- smallest of those drawn"
+                            : "");
   }
   if (choice["best"].is_null())
     text += "  No level is called smallest: each has drops without this result or not run.\n";
