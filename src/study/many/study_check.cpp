@@ -191,6 +191,9 @@ ProbedResults probe_results(Study& study, const Design& design, const Evaluator&
   for (const auto& scalar : result.scalars) names.push_back(scalar.first);
   Faults faults;
   for (const auto& derived : study.derived) {
+    if (std::find(names.begin(), names.end(), derived.name) != names.end())
+      faults.add(derived.where, fmt::format("derived.{}: every drop has a result of this name.", derived.name),
+                 "Choose another name.");
     for (const auto& name : derived.formula.names())
       if (std::find(names.begin(), names.end(), name) == names.end()) {
         faults.add(derived.where, fmt::format("derived.{}: no result is called \"{}\".", derived.name, name),

@@ -14,6 +14,7 @@
 #include "io/text/input_file.h"
 #include "io/text/toml_reader.h"
 #include "study/many/common_values.h"
+#include "study/many/derived_results.h"
 #include "study/many/search/search_check.h"
 #include "study/many/study_keys.h"
 #include "study/many/study_names.h"
@@ -25,11 +26,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::vector<std::string> texts_of(const Node& node, const std::string& name, Faults& faults) {
+std::vector<std::string> texts_of(const Node& node, const std::string& name, Faults& faults,
+                                  const std::string& example = "bearings.*.peak_contact_force") {
   std::vector<std::string> texts;
   if (node.is(Node::Kind::null)) return texts;
   if (!node.is_array()) {
-    faults.add(node.where(), name + " must be a list of texts.", "For example [\"bearings.*.peak_contact_force\"].");
+    faults.add(node.where(), name + " must be a list of texts.", fmt::format("For example [\"{}\"].", example));
     return texts;
   }
   for (const auto& item : node.items()) {
@@ -49,33 +51,6 @@ fs::path case_of(const StudyFile& raw, const Node& tree, const fs::path& file) {
   if (fs::is_regular_file(own, ignored)) return own;
   throw InputError(position_of_value(tree, "case"), fmt::format("case = \"{}\": there is no such file.", raw.case_file),
                    fmt::format("Looked for {} and {}.", beside.string(), own.string()));
-}
-
-void read_derived(const Node& table, Study& study, Faults& faults) {
-  if (table.is(Node::Kind::null)) return;
-  if (!table.is_table()) {
-    faults.add(table.where(), "derived must be a table.", "Write NAME = { formula = \"...\", unit = \"N\" }.");
-    return;
-  }
-  for (const auto& entry : table.entries()) {
-    const Node* formula = entry.value.find("formula");
-    const Node* unit = entry.value.find("unit");
-    if (!formula || !formula->is_text()) {
-      faults.add(entry.where, fmt::format("derived.{} has no formula.", entry.key),
-                 "Write { formula = \"max(RESULT, RESULT)\", unit = \"N\" }.");
-      continue;
-    }
-    for (const auto& other : entry.value.entries())
-      if (other.key != "formula" && other.key != "unit")
-        faults.add(other.where, fmt::format("unknown key \"{}\" in derived.{}.", other.key, entry.key),
-                   "Known: formula, unit.");
-    try {
-      study.derived.push_back(
-          {entry.key, Expression(formula->text()), unit && unit->is_text() ? unit->text() : "1", entry.where});
-    } catch (const std::invalid_argument& error) {
-      faults.add(formula->where(), fmt::format("derived.{}: {} in \"{}\".", entry.key, error.what(), formula->text()));
-    }
-  }
 }
 
 void read_correlations(const std::vector<CorrelationEntry>& entries, const SourcePosition& where, Study& study,
@@ -231,12 +206,14 @@ Study read_study(const fs::path& file, const std::vector<std::string>& overrides
   }
   read_derived(raw.derived, study, faults);
   study.keep_results = texts_of(raw.keep.results, "keep.results", faults);
-  study.keep_series = texts_of(raw.keep.series, "keep.series", faults);
+  study.keep_series = texts_of(raw.keep.series, "keep.series", faults, "/bearings/TB1/orbit");
   if (raw.choice)
     study.choice = Choice{raw.choice->parameter, raw.choice->result, raw.choice->quantile, position_of(tree, "choose")};
   read_correlations(raw.correlations, position_of(tree, "correlation"), study, faults);
   study.surrogate = raw.surrogate;
-  if (raw.surrogate) study.surrogate_results = texts_of(raw.surrogate->results, "surrogate.results", faults);
+  if (raw.surrogate)
+    study.surrogate_results =
+        texts_of(raw.surrogate->results, "surrogate.results", faults, "bearings.TB1.peak_contact_force");
   study.minimise = raw.minimise;
   if (raw.fit) study.fit = Fit{*raw.fit, {}};
   check_names(study, tree, faults);
