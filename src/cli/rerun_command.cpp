@@ -24,6 +24,7 @@ int rerun_command(const RerunCommand& command) {
     throw InputError({"--output", 0, 0}, "this is the directory of the drop that is to be run again.",
                      "Choose another with -o DIR.");
   options.force = command.force;
+  options.in_lanes = input.in_lanes;
   options.stop = &caught_signal();
   options.tell = [](const std::string& text) { fmt::print(stderr, "note: {}\n", text); };
   ProgressLine line;

@@ -109,7 +109,7 @@ void DropCheckpoints::resume() {
       if (time_ > 0.)
         record_.resume(time_, recorded_, series_);
       else
-        record_.open(true);
+        record_.open(true, false);
       if (tell_ && !damage.empty())
         tell_(fmt::format("the results are damaged: {} The run resumes from an earlier checkpoint, {}", damage,
                           newer.string()));

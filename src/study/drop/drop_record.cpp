@@ -65,11 +65,13 @@ RowSink& DropRecord::add_group(const std::string& times, std::initializer_list<c
   return sinks_.emplace_back(*this, groups_.size() - 1);
 }
 
-void DropRecord::open(bool overwrite) {
+void DropRecord::open(bool overwrite, bool in_lanes) {
   RecorderOptions options;
   options.overwrite = overwrite;
   options.seconds_until_made = 0.15;  // a drop that is over sooner is written in one go, which takes half the time
-  recorder_.emplace(file_, record_header(case_, name_of(vector_level)), groups_, options);
+  RecordHeader header = record_header(case_, name_of(vector_level));
+  if (in_lanes) header.attributes.emplace_back("lanes", "yes");
+  recorder_.emplace(file_, header, groups_, options);
 }
 
 void DropRecord::resume(double time, const RecordedRows& recorded, MemorySeries& series) {

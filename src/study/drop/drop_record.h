@@ -15,8 +15,8 @@ class DropRecord {
  public:
   DropRecord(const std::filesystem::path& directory, const Case& drop_case, const Machine& machine, Drop& drop);
 
-  /// A new file. @param overwrite  one that is there
-  void open(bool overwrite);
+  /// A new file. @param overwrite  one that is there  @param in_lanes  the drop runs in lanes, which the file tells
+  void open(bool overwrite, bool in_lanes);
   /// The file of an interrupted run, cut at a time. @throws DamagedFile if it lacks rows that were `recorded` by then
   /// @param series  gets the rows that the file keeps
   void resume(double time, const RecordedRows& recorded, MemorySeries& series);

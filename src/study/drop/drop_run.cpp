@@ -153,10 +153,11 @@ FinishedDrop run_drop(const Case& c, const Machine& machine, const RunOptions& o
   DropProgress progress(machine, drop, drop.sections().growth_in_force(), options.report);
   drop.loop().add(progress);
   drop.loop().add(checkpoints);
+  const bool in_lanes = options.in_lanes && !options.resume && why_not_in_lanes(machine, p.integration).empty();
   if (options.resume)
     checkpoints.resume();
   else
-    record.open(options.force);
+    record.open(options.force, in_lanes);
   std::optional<DropFields> fields;
   if (options.elements) {
     fields.emplace(options.directory, *options.elements, p.thermal.fe, drop.loop().time());
@@ -168,7 +169,7 @@ FinishedDrop run_drop(const Case& c, const Machine& machine, const RunOptions& o
   progress.begin(drop.loop().time());
   try {
     const auto is_stopped = [&] { return options.stop && *options.stop; };
-    if (options.in_lanes && !options.resume && why_not_in_lanes(machine, p.integration).empty())
+    if (in_lanes)
       run_in_lane(drop, is_stopped);
     else
       drop.run(is_stopped);

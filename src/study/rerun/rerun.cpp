@@ -112,6 +112,7 @@ RecordedInput read_recorded_input(const fs::path& path) {
   input.revision = attribute_or_unknown(input.file, "git_revision");
   input.processor = attribute_or_unknown(input.file, "processor");
   input.instruction_set = attribute_or_unknown(input.file, "instruction_set");
+  input.in_lanes = attribute_or_unknown(input.file, "lanes") == "yes";
   GivenCase given;
   given.file = input.file.parent_path() / (read_attribute(input.file, "/", "case") + ".toml");
   given.tree = parse_toml(read_text(input.file, "/parameters"), given.file.string());

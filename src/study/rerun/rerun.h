@@ -15,6 +15,7 @@ struct RecordedInput {
   std::filesystem::path file;
   Case drop_case;
   std::string program, revision, processor, instruction_set;  ///< "unknown" in files from before they were recorded
+  bool in_lanes = false;                                      ///< as `study rerun` repeats a point of a study in lanes
 };
 /// @param path  a results.h5, or the directory that holds one
 /// @throws InputError if it holds no drop, or a file that its case names has changed
