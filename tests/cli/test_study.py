@@ -379,6 +379,24 @@ kind = "list"
         self.assertEqual(str(rotor["initial_offset"][0]), "10 um")
         self.assertIn("no entry 2", self.call("run", "drop.toml", "-o", "no", "--set", "rotor.unbalance[2].me=1e-6").stderr)
 
+    def test_an_entry_that_is_set_is_told_beside_the_place_of_its_list(self):
+        self.succeed("run", "drop.toml", "-o", "out", "--set", "bearings.TB1.conformity[0]=0.53", "--set", "run.end_time=1 ms")
+        line = next(line for line in (self.folder / "out/parameters.toml").read_text().splitlines() if line.startswith("conformity = [0.53, 0.52]"))
+        self.assertRegex(line, r"# from reference\.toml:\d+.*; \[0\] from --set$")
+        with h5py.File(self.folder / "out/results.h5") as h5:
+            given = {row[0]: row[3] for row in json.loads(h5["/given"][()])["values"]}
+        self.assertRegex(given["bearings.TB1.conformity"], r"reference\.toml:\d+.*; \[0\] from --set$")
+        self.assertEqual(sum("[0] from --set" in line for line in (self.folder / "out/parameters.toml").read_text().splitlines()), 1, "not of TB2")
+
+    def test_a_point_that_ran_in_lanes_is_run_again_in_lanes(self):
+        self.write("s.toml", STUDY)
+        self.study("out")
+        self.succeed("study", "rerun", "out", "--point", "3", "--quiet")
+        with h5py.File(self.folder / "out/point-3/results.h5") as h5:
+            self.assertEqual(h5.attrs["lanes"], "yes")
+        done = self.succeed("rerun", "out/point-3/results.h5", "-o", "again", "--quiet")
+        self.assertIn("the same bits", done.stdout)
+
     def test_a_dry_run_computes_and_writes_nothing(self):
         told = self.study("out", "--dry-run").stdout
         self.assertIn("12 drops", told)
