@@ -16,6 +16,18 @@ namespace {
 const std::vector<std::string> words{"keys",  "values", "weights",   "range", "scale",  "distribution", "lower",
                                      "upper", "mean",   "deviation", "mode",  "levels", "reference",    "formula"};
 
+/// Words of continuous distributions.
+struct DistributionWords {
+  Distribution::Kind kind;
+  std::vector<std::string> words;
+};
+const DistributionWords distributions[] = {
+    {Distribution::Kind::uniform, {"lower", "upper"}},
+    {Distribution::Kind::log_uniform, {"lower", "upper"}},
+    {Distribution::Kind::normal, {"mean", "deviation"}},
+    {Distribution::Kind::truncated_normal, {"mean", "deviation", "lower", "upper"}},
+    {Distribution::Kind::triangular, {"lower", "mode", "upper"}}};
+
 /// Reads the table of one parameter.
 class ParameterReader {
  public:
@@ -45,6 +57,7 @@ class ParameterReader {
       return fault(
           node, "give either values, a range, a distribution or a formula.",
           "For example { range = [0.1, 0.3] }, or { distribution = \"normal\", mean = 0.2, deviation = 0.02 }.");
+    refuse_foreign_words(node);
     if (const Node* values = node.find("values")) {
       if (const Node* kind = node.find("distribution"); kind && (!kind->is_text() || kind->text() != "discrete"))
         fault(*kind, "only distribution = \"discrete\" has values.");
@@ -87,6 +100,35 @@ class ParameterReader {
       return fault(list, "its list of values is empty.", "Give at least one value, or a range = [from, to].");
     for (const auto& item : list.items())
       if (const auto value = converted(item)) p_.distribution.values.push_back(*value);
+  }
+
+  /// Known words that mean nothing in this form, such as a mean beside a range.
+  void refuse_foreign_words(const Node& table) {
+    std::string form = "a range";
+    std::vector<std::string> own{"range", "scale", "levels", "reference"};
+    if (table.has("values")) {
+      form = "a list of values";
+      own = {"values", "weights", "distribution", "reference"};
+    } else if (table.has("formula")) {
+      form = "a formula";
+      own = {"formula"};
+    } else if (const Node* kind = table.find("distribution")) {
+      const auto found = std::find_if(std::begin(distributions), std::end(distributions), [&](const auto& d) {
+        return kind->is_text() && kind->text() == name_of(d.kind);
+      });
+      if (found == std::end(distributions)) return;  // told where it is read
+      form = fmt::format("a distribution \"{}\"", kind->text());
+      own = {"distribution", "levels", "reference"};
+      own.insert(own.end(), found->words.begin(), found->words.end());
+    }
+    own.emplace_back("keys");
+    const bool is_normal = form == "a distribution \"normal\"";  // its ends have a message of their own
+    for (const auto& entry : table.entries())
+      if (std::find(words.begin(), words.end(), entry.key) != words.end() &&
+          std::find(own.begin(), own.end(), entry.key) == own.end() &&
+          !(is_normal && (entry.key == "lower" || entry.key == "upper")))
+        faults_.add(entry.where, fmt::format("vary.{}: {} means nothing beside {}.", p_.name, entry.key, form),
+                    fmt::format("Words of {}: {}.", form, fmt::join(own, ", ")));
   }
 
   void read_weights(const Node& table) {
@@ -163,9 +205,9 @@ class ParameterReader {
     auto& d = p_.distribution;
     using K = Distribution::Kind;
     std::vector<std::string> names;
-    for (const K k : {K::uniform, K::log_uniform, K::normal, K::truncated_normal, K::triangular}) {
-      names.push_back(name_of(k));
-      if (kind.is_text() && kind.text() == name_of(k)) d.kind = k;
+    for (const auto& one : distributions) {
+      names.push_back(name_of(one.kind));
+      if (kind.is_text() && kind.text() == names.back()) d.kind = one.kind;
     }
     if (d.kind == K::values) {
       names.emplace_back("discrete");
