@@ -14,6 +14,7 @@
 #include "cli/commands.h"
 #include "cli/progress_line.h"
 #include "cli/signals.h"
+#include "io/own_files.h"
 #include "io/text/parameter_keys.h"
 #include "machine/balance.h"
 #include "machine/build_machine.h"
@@ -77,6 +78,22 @@ void compare_after_run(const RunCommand& command, const std::filesystem::path& d
   write_comparison(comparison, directory / "comparison.json");
   if (command.quiet) return;
   for (const auto& line : comparison.report["in_short"]) fmt::print("{}\n", line.get<std::string>());
+}
+
+/// Pages of a run that was resumed show the interrupted one: the report is made again; of a comparison the measured values are elsewhere.
+void renew_pages(const std::filesystem::path& directory, bool quiet) {
+  if (is_own_page(directory / "report.html")) {
+    ReportCommand report;
+    report.directory = directory;
+    report.force = true;
+    report.quiet = quiet;
+    report_command(report);
+  }
+  if (is_own_page(directory / "measured.html"))
+    fmt::print(stderr,
+               "note: {} and measured.json are of the interrupted run; make them again with rotordrop compare {} "
+               "--measured FILE\n",
+               (directory / "measured.html").string(), shell_quoted(directory.string()));
 }
 
 /// What a quiet run still says: warnings, and why it ends with not_as_asked.
@@ -162,6 +179,7 @@ int run_command(const RunCommand& command) {
   }
   if (result.completed) {
     compare_after_run(command, options.directory, *result.recorded);
+    if (command.resume) renew_pages(options.directory, command.quiet);
     return exit_code_of(command, summary_json(result.summary));
   }
   std::string again = fmt::format("rotordrop run {} -o {} --resume", shell_quoted(command.file.string()),

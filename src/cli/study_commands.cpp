@@ -167,6 +167,8 @@ int study_command_of(const StudyCommand& command, Ranks* ranks) {
                again(command, options.directory));
     return 128 + static_cast<int>(*options.stop);
   }
+  if (options.resume && options.n_shards == 1 && renew_page(options.directory) && !command.quiet)
+    fmt::print("{} is made again\n", (options.directory / "report.html").string());
   if (command.quiet) return 0;
   if (options.n_shards == 1)
     fmt::print("{}", study_text(study, read_summary(options.directory / "study.json")));
@@ -308,7 +310,13 @@ StudyCommands::StudyCommands(CLI::App& app) {
   rerun_->add_option("directory", rerun_command_.directory, "Directory of the study")->required();
   rerun_->add_option("--point", rerun_command_.point, "Number of the point, from 0")
       ->required()
-      ->check(CLI::NonNegativeNumber);
+      ->check(CLI::Validator(
+          [](const std::string& text) {
+            const bool is_number =
+                !text.empty() && text.size() < 16 && text.find_first_not_of("0123456789") == std::string::npos;
+            return is_number ? std::string() : "\"" + text + "\" is not the number of a point; they count from 0";
+          },
+          "", ""));
   rerun_->add_option("-o,--output", rerun_command_.output, "Directory; default DIR/point-N");
   rerun_->add_flag("--force", rerun_command_.force, "Replace results that are there");
   rerun_->add_flag("--quiet", rerun_command_.quiet, "Only messages about trouble");

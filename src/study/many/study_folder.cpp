@@ -9,10 +9,12 @@
 
 #include "base/version.h"
 #include "io/checkpoint.h"
+#include "io/own_files.h"
 #include "io/results_folder.h"
 #include "io/sha256.h"
 #include "io/text/comments.h"
 #include "study/many/answers/result_check.h"
+#include "study/many/answers/study_report.h"
 #include "study/many/answers/study_summary.h"
 #include "study/many/common_values.h"
 #include "study/many/search/fit_evaluation.h"
@@ -116,6 +118,7 @@ std::optional<Journal::Content> earlier_points(const Study& study, const StudyOp
       if (fs::file_size(file, error) > header.size()) throw;
     }
   }
+  if (options.force && !options.resume) remove_rerun_points(options.directory);
   if (options.resume && options.tell) options.tell("no point is finished yet: the study starts anew");
   write_inputs(study, options.directory);
   return {};
@@ -162,6 +165,33 @@ void take_journals_of_ranks(const fs::path& directory, const std::string& header
   }
   journal.sync();
   for (const auto& file : files) fs::remove(file);
+}
+
+bool renew_page(const fs::path& directory) {
+  const fs::path page = directory / "report.html";
+  if (!is_own_page(page)) return false;
+  write_text_atomically(page, study_report_page(study_report_data(directory)));
+  return true;
+}
+
+void remove_rerun_points(const fs::path& directory) {
+  std::vector<fs::path> folders;
+  for (const auto& entry : fs::directory_iterator(directory)) {
+    const std::string name = entry.path().filename().string(), before = "point-";
+    const bool is_number = name.size() > before.size() && name.starts_with(before) &&
+                           name.find_first_not_of("0123456789", before.size()) == std::string::npos;
+    if (is_number && fs::is_directory(entry.symlink_status()) && holds_results(entry.path()))
+      folders.push_back(entry.path());
+  }
+  std::error_code ignored;
+  for (const auto& folder : folders) {
+    const bool has_parameters = is_written_parameters(folder / "parameters.toml");
+    const bool has_series = is_own_results(folder / "results.h5");
+    { const ResultsFolder emptied(folder, ResultsFolder::Existing::replace); }
+    if (has_series) fs::remove(folder / "results.h5", ignored);
+    if (has_parameters) fs::remove(folder / "parameters.toml", ignored);
+    fs::remove(folder, ignored);  // only if that left it empty
+  }
 }
 
 void write_inputs(const Study& study, const fs::path& directory) {
@@ -256,6 +286,7 @@ std::size_t join_shards(const std::vector<fs::path>& directories, const fs::path
   for (const auto& directory : directories) shards.add(directory, directories.front());
   const auto virtual_files = is_virtual ? seen_from(output, shards.files) : std::vector<ShardFile>{};
   const ResultsFolder folder(output, ResultsFolder::existing_results(false, force));
+  if (force) remove_rerun_points(output);
   write_inputs(study, output);
   const StudyTable table = make_table(study, design, shards.records, shards.layouts);
   resolve_results(study, table);
