@@ -162,6 +162,91 @@ class StudyAnswers(ProgramTest):
         self.assertIn("No level is called smallest", told)
         self.succeed("study", "report", "none")
 
+    def test_a_level_that_is_never_drawn_is_listed(self):
+        text = ('case = "drop.toml"\n[vary]\ncontact.air_gap = { values = ["200 um", "250 um", "300 um"], weights = [1, 1e-9, 1] }\n[design]\nsize = 4\n'
+                '[choose]\nparameter = "contact.air_gap"\nresult = "bearings.TB1.first_contact_time"\nquantile = 0.5\n')
+        told, answers = self.study(text)
+        levels = answers["choose"]["levels"]
+        self.assertEqual([(one["value"], one["n"], one.get("not_drawn", False)) for one in levels], [(2e-4, 2, False), (2.5e-4, 0, True), (3e-4, 2, False)])
+        self.assertIs(answers["choose"]["all_drawn"], False)
+        self.assertRegex(told, r"0\.00025 m: +none, 0 drops: not drawn")
+        self.assertRegex(told, r"0\.0002 m: .*<- smallest of those drawn")
+        self.succeed("study", "report", "out")
+
+    def test_units_of_formulas_are_those_of_their_values(self):
+        def derived(formula, unit, name="f"):
+            return VARY + f'[design]\nsize = 4\n[derived]\n{name} = {{ formula = "{formula}", unit = "{unit}" }}\n'
+
+        force = "bearings.TB1.peak_contact_force"
+        for formula, unit, *words in ((f"1e-3 * {force}", "kN", "is not a unit of SI without a factor", 'write unit = "N"'), ("1e6 * bearings.TB1.friction_heat", "furlongs per", "not a unit that is known"),
+                                      ("bearings.TB1.local.bore_rise", "degC", "counts from another zero", 'unit = "K"'), (f"max({force}, bearings.TB2.peak_contact_force)", "m", "but the formula gives N"),
+                                      (f"{force} / bearings.TB2.peak_contact_force", "N", "a number without a unit"), (force, "rpm", "is not a unit of SI")):
+            self.refused(derived(formula, unit), "derived.f", *words)
+        self.refused(derived(force, "N", '"bearings.TB2.peak_contact_force"'), "every drop has a result of this name")
+        for formula, unit in ((f"max({force}, bearings.TB2.peak_contact_force)", "N"), (f"{force} / 2", "newton"), (f"max({force}, 5000)", "J/m"), (f"{force} * bearings.TB1.first_contact_time", "N s"), (f"1e-3 * {force}", "1")):
+            self.write("s.toml", derived(formula, unit))
+            self.succeed("study", "s.toml", "--dry-run")
+
+    def test_words_of_another_form_are_refused(self):
+        for words, *told in (("range = [0.1, 0.3], mean = 0.2", "mean means nothing beside a range", "range, scale, levels, reference, keys"), ("range = [0.1, 0.3], weights = [1]", "weights means nothing beside a range"),
+                             ('values = [0.1, 0.3], scale = "log"', "scale means nothing beside a list of values", "values, weights"), ('distribution = "normal", mean = 0.2, deviation = 0.01, mode = 0.2', 'mode means nothing beside a distribution "normal"', "mean, deviation"),
+                             ('distribution = "uniform", lower = 0.1, upper = 0.2, mean = 0.1', "mean means nothing beside")):
+            self.refused(f'case = "drop.toml"\n[vary]\ncontact.friction_coefficient = {{ {words} }}\n[design]\nsize = 4\n', *told)
+
+    def test_advice_on_one_result_names_results(self):
+        text = VARY + "[design]\nsize = 4\n"
+        self.refused(text + '[surrogate]\nresults = "bearings.TB1.peak_contact_force"\n', "must be a list of texts", '["bearings.TB1.peak_contact_force"]')
+        star = '"bearings.*.peak_contact_force"'
+        for table in (f"[choose]\nparameter = \"contact.air_gap\"\nresult = {star}\n", f"[surrogate]\nresults = [{star}]\n"):
+            both = text.replace('range = ["200 um", "300 um"]', 'values = ["200 um", "300 um"]') if "choose" in table else text
+            self.refused(both + table, "name one result", "It would be bearings.TB1.peak_contact_force,", "bearings.TB2.peak_contact_force; a formula")
+        self.write("m.toml", VARY + f"[minimise]\nresult = {star}\n")
+        self.assertIn("name one result", self.call("study", "m.toml", "-o", "m").stderr)
+
+    def test_resuming_makes_the_page_again_and_replacing_removes_points_that_were_rerun(self):
+        text = VARY + "[design]\nsize = 4\n[limits]\n" + FORCE + ' = { max = "5.0 kN" }\n'
+        self.study(text)
+        self.succeed("study", "report", "out")
+        page = self.folder / "out/report.html"
+        before = page.read_text()
+        for name in ("study.h5", "study.csv", "study.json"):
+            (self.folder / "out" / name).unlink()
+        journal = self.folder / "out/study.journal"
+        lines = journal.read_text().splitlines(keepends=True)
+        journal.write_text("".join(lines[:-1]))
+        told, _ = self.study(text.replace("5.0 kN", "5.5 kN"), "out", "--resume")
+        self.assertIn("report.html is made again", told)
+        self.assertNotEqual(page.read_text(), before)
+        self.succeed("study", "rerun", "out", "--point", "1", "--quiet")
+        self.succeed("study", "rerun", "out", "--point", "2", "--quiet")
+        self.write("out/point-2/mine.txt", "mine")
+        (self.folder / "out/point-7").mkdir()
+        self.study(text.replace("300 um", "280 um"), "out", "--force")
+        self.assertFalse((self.folder / "out/point-1").exists())
+        self.assertEqual([path.name for path in (self.folder / "out/point-2").iterdir()], ["mine.txt"])
+        self.assertTrue((self.folder / "out/point-7").is_dir(), "not one of the program's")
+        self.assertFalse(page.exists())
+
+    def test_the_number_of_a_point_is_asked_for_in_few_words(self):
+        self.study(VARY + "[design]\nsize = 2\n")
+        for point in ("-1", "1.5"):
+            done = self.call("study", "rerun", "out", f"--point={point}")
+            self.assertEqual(done.returncode, 2, done.stdout)
+            self.assertLess(len(done.stderr), 300)
+            self.assertIn(point, done.stderr)
+
+    def test_a_fit_says_on_what_nothing_depends(self):
+        # Before the first touch at 7.4 ms no orbit depends on the friction at the bore.
+        table = "".join(f"{t},{y}\n" for t, y in ((1, -5), (2, -20), (3, -44), (4, -78), (5, -123)))
+        self.write("m.csv", table)
+        told, answers = self.study('case = "drop.toml"\n[vary]\ncontact.friction_coefficient = { range = [0.05, 0.4] }\n[fit]\nevaluations = 5\n[[fit.measured]]\nfile = "m.csv"\n'
+                                   'series = "/bearings/TB1/orbit"\ntime_unit = "ms"\nunit = "um"\n')
+        fitted = answers["fit"]["parameters"]["contact.friction_coefficient"]
+        self.assertIs(fitted["no_effect"], True)
+        self.assertIsNone(fitted["low"])
+        self.assertRegex(told, r"contact\.friction_coefficient = .*no measured value depends on it")
+        self.succeed("study", "report", "out")
+
     def test_points_that_no_shard_has_run_are_not_drops_without_the_result(self):
         self.write("s.toml", 'case = "drop.toml"\n[vary]\ncontact.air_gap = { values = ["200 um", "250 um"] }\n[design]\nkind = "grid"\n'
                              '[choose]\nparameter = "contact.air_gap"\nresult = "bearings.TB1.first_contact_time"\nquantile = 0.5\n')

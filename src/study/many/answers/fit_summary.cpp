@@ -74,6 +74,20 @@ std::optional<Covariance> covariance(const Fit& fit, const Eigen::VectorXd& r, c
   return Covariance{inverse * B * inverse, n - p};
 }
 
+/// What no measured value depends on has no variance, NaN, and leaves that of the others alone.
+std::optional<Covariance> covariance_of_those_with_effect(const Fit& fit, const Eigen::VectorXd& r,
+                                                          const Eigen::MatrixXd& J) {
+  std::vector<Eigen::Index> with_effect;
+  for (Eigen::Index i = 0; i < J.cols(); ++i)
+    if (J.size() > 0 && J.col(i).squaredNorm() > 0.) with_effect.push_back(i);
+  if (with_effect.empty()) return {};
+  const auto some = covariance(fit, r, J(Eigen::all, with_effect));
+  if (!some) return {};
+  Covariance all{Eigen::MatrixXd::Constant(J.cols(), J.cols(), std::nan("")), some->degrees_of_freedom};
+  all.matrix(with_effect, with_effect) = some->matrix;
+  return all;
+}
+
 }  // namespace
 
 Json fit_summary(const Study& study, const Design& design, const StudyTable& table) {
@@ -124,9 +138,13 @@ Json fit_summary(const Study& study, const Design& design, const StudyTable& tab
     places.push_back(place(k));
     around.push_back(residuals_of(fit, series_of(table, k)));
   }
-  std::optional<Covariance> C;
-  if (around.size() == 2 * study.searched.size()) C = covariance(fit, r, derivatives(places, around));
+  Eigen::MatrixXd J;
+  if (around.size() == 2 * study.searched.size()) J = derivatives(places, around);
   const auto at = place(*best->found);
+  const auto has_no_effect = [&](std::size_t i) {
+    return J.size() > 0 && J.col(static_cast<Eigen::Index>(i)).squaredNorm() == 0.;
+  };
+  const auto C = covariance_of_those_with_effect(fit, r, J);
   j["point"] = *best->found;
   j["start_point"] = start;
   j["sum_of_squares"] = r.squaredNorm();
@@ -140,7 +158,8 @@ Json fit_summary(const Study& study, const Design& design, const StudyTable& tab
              {"value", design.value(*best->found, study.searched[i]).number()},
              {"low", nullptr},
              {"high", nullptr}};
-    if (C) {
+    one["no_effect"] = has_no_effect(i);
+    if (C && !has_no_effect(i)) {
       const auto k = static_cast<Eigen::Index>(i);
       const double half = boost::math::quantile(boost::math::students_t(C->degrees_of_freedom), 0.975) *
                           std::sqrt(std::max(0., C->matrix(k, k)));
@@ -184,6 +203,11 @@ std::string fit_text(const Json& j) {
   };
   for (const auto& [name, p] : j["parameters"].items()) {
     const std::string unit = p["unit"] == "1" ? "" : " " + p["unit"].get<std::string>();
+    if (p.value("no_effect", false)) {
+      text += fmt::format("  {} = {}{}, which tells nothing: no measured value depends on it\n", name,
+                          number(p["value"]), unit);
+      continue;
+    }
     text += fmt::format("  {} = {}{} ({} to {}), from {}{}\n", name, number(p["value"]), unit, number(p["low"]),
                         number(p["high"]), number(p["start"]),
                         p["at_end_of_range"].get<bool>() ? "  <- end of its range" : "");

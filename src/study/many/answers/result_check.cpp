@@ -1,6 +1,7 @@
 #include "study/many/answers/result_check.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 
@@ -34,6 +35,25 @@ bool is_kept(const Study& study, const std::string& name) {
              study.surrogate_results.end();
 }
 
+namespace {
+
+/// Advice where one result must be named, and not several.
+std::string advice_on_one(const std::string& name, const std::vector<std::string>& names) {
+  if (name.find('*') == std::string::npos) return advice_on_result(name, names);
+  std::vector<std::string> meant;
+  for (const auto& one : names)
+    if (fits(one, name)) meant.push_back(one);
+  if (meant.empty()) return advice_on_result(name, names);
+  constexpr std::size_t most_shown = 6;
+  const std::string more = meant.size() > most_shown ? fmt::format(" and {} more", meant.size() - most_shown) : "";
+  meant.resize(std::min(meant.size(), most_shown));
+  return fmt::format(
+      "Here * stands for nothing: name one result. It would be {}{}; a formula under [derived] makes one of several.",
+      fmt::join(meant, ", "), more);
+}
+
+}  // namespace
+
 void resolve_results(Study& study, const std::vector<std::string>& names) {
   Faults faults;
   const auto is_known = [&](const std::string& name) {
@@ -46,15 +66,15 @@ void resolve_results(Study& study, const std::vector<std::string>& names) {
   if (study.choice && !is_known(study.choice->result))
     faults.add(study.choice->where,
                fmt::format("choose.result = \"{}\": no result is called so.", study.choice->result),
-               advice_on_result(study.choice->result, names));
+               advice_on_one(study.choice->result, names));
   for (const auto& name : study.surrogate_results)
     if (!is_known(name))
       faults.add({study.file.string(), 0, 0}, fmt::format("surrogate.results: no result is called \"{}\".", name),
-                 advice_on_result(name, names));
+                 advice_on_one(name, names));
   if (study.minimise && !is_known(study.minimise->result))
     faults.add({study.file.string(), 0, 0},
                fmt::format("minimise.result = \"{}\": no result is called so.", study.minimise->result),
-               advice_on_result(study.minimise->result, names));
+               advice_on_one(study.minimise->result, names));
   auto limits = resolved_limits(
       study.limits, names, [&](const std::string& name) { return unit_of_result(study, name); }, faults);
   faults.throw_if_any();
