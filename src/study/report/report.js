@@ -129,7 +129,8 @@ function showHead() {
 function showNumbers() {
   const { bearings, rows, whole } = data.numbers;
   const all = element("div", { class: "columns" });
-  if (rows.length) all.append(table(["", "unit", ...bearings], rows.map((r) => [r.name, unit(r.unit), ...r.values]), ["", "", ...bearings.map(() => "number")]));
+  if (rows.length) all.append(element("div", { class: "wide", tabindex: "0", role: "region", "aria-label": "numbers of each bearing" },
+    table(["", "unit", ...bearings], rows.map((r) => [r.name, unit(r.unit), ...r.values]), ["", "", ...bearings.map(() => "number")])));
   if (whole.length) all.append(table(null, whole.map(([name, text]) => [name, text]), ["", "number"]));
   section("Main numbers", all);
 }
