@@ -818,6 +818,24 @@ class InTheBrowser(InABrowser):
         self.assertEqual(self.browser.run(click + count), 1)
         self.assertEqual(self.browser.run(click + count), 2)
 
+    def test_the_numbers_of_many_bearings_scroll_in_a_box_of_their_own(self):
+        page = (self.out / "report.html").read_text()
+        mark = re.search(r'<script type="application/json" id="data">(.*?)</script>', page, re.S)
+        data = json.loads(mark[1])
+        numbers, copies = data["numbers"], 12
+        numbers["bearings"] = [f"touchdown_bearing_of_the_drive_end_{k}_{name}" for k in range(copies) for name in numbers["bearings"]]
+        for row in numbers["rows"]:
+            row["values"] = row["values"] * copies
+        many = pathlib.Path(self.out).parent / "many.html"
+        many.write_text(page[:mark.start(1)] + json.dumps(data).replace("</", "<\\/") + page[mark.end(1):])
+        try:
+            self.browser.open(many)
+            self.assertLessEqual(self.browser.run("return document.documentElement.scrollWidth"), 1366)
+            box, whole = self.browser.run("const e = document.querySelector('.wide'); return [e.clientWidth, e.scrollWidth]")
+            self.assertGreater(whole, box)
+        finally:
+            self.browser.open(self.out / "report.html")
+
     def test_it_fits_a_laptop_and_a_sheet_of_paper(self):
         self.assertLessEqual(self.browser.run("return document.documentElement.scrollWidth"), 1366)
         printed = base64.b64decode(self.browser.call("POST", "/print", {"page": {"width": 21, "height": 29.7}, "shrinkToFit": False, "background": True}))

@@ -110,12 +110,13 @@ TEST_F(Minimise, ComesToTheEdgeOfACurvedLimitFromItsAllowedSide) {
       }
 }
 
+// Where the slope of a limit grows towards its edge, linear models lead beyond it.
 TEST_F(Minimise, SaysThatItEndedOutsideALimitWhereNoEvaluationIsLeft) {
   int n_told = 0;
   for (int n = 3; n < 12; ++n) {
     const auto j = run(
         std::string(one) +
-            "[limits]\nexp_3x = { min = 0.5 }\n[minimise]\nresult = \"x\"\nevaluations = " + std::to_string(n) + "\n",
+            "[limits]\nsharp = { min = 0.5 }\n[minimise]\nresult = \"x\"\nevaluations = " + std::to_string(n) + "\n",
         closed_forms, "few-" + std::to_string(n));
     const auto& last = j["course"].back();
     const bool is_told = j["searches"][0]["ended_outside_limits"].get<bool>();
