@@ -100,6 +100,21 @@ class Interruption(ProgramTest):
     def difference(a, b):
         return f"shape {a.shape} to {b.shape}" if a.shape != b.shape else f"{numpy.abs(a - b).max()}"
 
+    def test_a_report_of_the_interrupted_run_is_made_again(self):
+        process = self.begin(until=self.is_under_way)
+        self.stop(process, signal.SIGINT)
+        self.succeed("report", "out")
+        self.write("out/measured.html", (self.folder / "out/report.html").read_text())
+        part = (self.folder / "out/report.html").read_text()
+        done = self.resume()
+        self.assertIn("report of reference in out/report.html", done.stdout)
+        self.assertIn("out/measured.html and measured.json are of the interrupted run", done.stderr)
+        resumed = (self.folder / "out/report.html").read_text()
+        self.assertNotEqual(resumed, part)
+        (self.folder / "out/report.html").unlink()
+        self.succeed("report", "out")
+        self.assertEqual((self.folder / "out/report.html").read_text(), resumed)
+
     def assert_partial_results(self):
         """What an interrupted run leaves: rows up to where it stopped, none of them half written."""
         series = series_of(self.folder / "out/results.h5")

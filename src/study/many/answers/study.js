@@ -178,7 +178,7 @@ function showAnswers() {
     parts.push(element("h3", {}, `${100 * c.quantile} % quantile of ${c.result} by ${c.parameter}`),
       table([label({ name: c.parameter, unit: c.unit }), `quantile [${c.result_unit}]`, "95 % interval", "mean", "smallest", "largest", "drops", "without the result"], c.levels.map((l) => {
         const isBest = c.best && l.value === c.best.value;
-        return [element("span", {}, short(l.value) + (isBest ? "  ← smallest" : "")), short(l.quantile), isNumber(l.low) || isNumber(l.high) ? `${isNumber(l.low) ? short(l.low) : "?"} to ${isNumber(l.high) ? short(l.high) : "?"}` : "–", short(l.mean), short(l.smallest), short(l.largest), String(l.n), String(l.without_result) + (l.not_run ? ` (and ${l.not_run} not run)` : "")];
+        return [element("span", {}, short(l.value) + (isBest ? c.all_drawn === false ? "  ← smallest of those drawn" : "  ← smallest" : "")), short(l.quantile), isNumber(l.low) || isNumber(l.high) ? `${isNumber(l.low) ? short(l.low) : "?"} to ${isNumber(l.high) ? short(l.high) : "?"}` : "–", short(l.mean), short(l.smallest), short(l.largest), l.not_drawn ? "0, not drawn" : String(l.n), String(l.without_result) + (l.not_run ? ` (and ${l.not_run} not run)` : "")];
       }), ["", "number", "", "number", "number", "number", "number", "number"]));
     if (!c.best) parts.push(element("p", {}, "No level is called smallest: each has drops without this result or not run."));
   }
