@@ -22,7 +22,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-void collect(const Json& value, const std::string& path, std::vector<std::pair<std::string, double>>& to) {
+void collect(const Json& value, const std::string& path, SummaryNumbers& to) {
   for (const char* other :
        {"title", "note", "run.wall_time", "run.cpu_time", "input_warnings", "warnings", "limits", "second_opinion"})
     if (path == other) return;
@@ -133,19 +133,23 @@ std::vector<std::string> with_words_of(const std::string& name, const std::vecto
   return best;
 }
 
+/// " = 4.1 kN"; a value without which a limit is met has no end.
+std::string value_in_words(const Json& limit) {
+  if (limit["value"].is_number()) return " = " + with_unit(limit["value"], limit["unit"]);
+  return limit["accepted"].is_null() ? ": no value" : ": no limit found";
+}
+
+/// "; the rotor touched nothing" of what is not assessed.
+std::string why_not_assessed(const Json& limit) {
+  const std::string why = limit["accepted"].is_null() && limit.contains("why") ? limit["why"].get<std::string>() : "";
+  return why.empty() || why == "no value" ? "" : "; " + why;
+}
+
 /// "; between 127 K and 604 K" of a result that is known within bounds.
 std::string bounds_in_words(const Json& limit) {
   if (!limit.contains("low")) return {};
   return fmt::format("; between {} and {}", with_unit(limit["low"], limit["unit"]),
                      with_unit(limit["high"], limit["unit"]));
-}
-
-bool tells_touch_of_bearing(const std::string& name) {
-  return name.starts_with("bearings.") && name.ends_with(".first_touch_time");
-}
-
-bool tells_force_at_probe(const std::string& name) {
-  return name.starts_with("probes.") && name.ends_with(".contact.peak_contact_force");
 }
 
 /// "; 4.1 N to 4.3 N in 3 drops" where a second opinion has the result.
@@ -172,48 +176,10 @@ void refuse_empty_bands(const std::vector<Limit>& limits, Faults& faults) {
 
 }  // namespace
 
-std::vector<std::pair<std::string, double>> numbers_of(const Json& summary) {
-  std::vector<std::pair<std::string, double>> numbers;
+SummaryNumbers numbers_of(const Json& summary) {
+  SummaryNumbers numbers;
   collect(summary, "", numbers);
   return numbers;
-}
-
-bool tells_contact(const std::string& name) { return tells_touch_of_bearing(name) || tells_force_at_probe(name); }
-
-bool is_without_contact(const std::vector<std::pair<std::string, double>>& numbers) {
-  bool is_told = false;
-  for (const auto& [name, value] : numbers) {
-    if ((tells_touch_of_bearing(name) && std::isfinite(value)) || (tells_force_at_probe(name) && value > 0.))
-      return false;
-    is_told = is_told || tells_contact(name);
-  }
-  return is_told;
-}
-
-bool is_of_pressure(const std::string& name) {
-  return name.starts_with("bearings.") &&
-         (name.ends_with(".largest_contact_pressure") || name.ends_with(".static_safety"));
-}
-
-bool tells_truncation(const std::string& name) {
-  return name.starts_with("bearings.") && name.ends_with(".truncation");
-}
-
-bool is_void(const std::string& name, const std::vector<std::pair<std::string, double>>& numbers) {
-  if (!is_of_pressure(name)) return false;
-  const bool is_of_row = name.find("].") != std::string::npos;
-  const std::string of = name.substr(0, (is_of_row ? name.rfind('.') : name.find('.', name.find('.') + 1)) + 1);
-  return std::any_of(numbers.begin(), numbers.end(), [&](const auto& number) {
-    return number.second > 0. && number.first.starts_with(of) && tells_truncation(number.first);
-  });
-}
-
-std::optional<bool> keeps(const Limit& limit, bool is_max, double value, bool is_void) {
-  const bool is_kept = is_max ? value <= *limit.max : value >= *limit.min;
-  // The true pressure is at least the void one, the true safety at most.
-  const bool is_certain_above = !limit.pattern.ends_with(".static_safety");
-  const bool is_above = is_max != is_kept;
-  return is_void && is_above != is_certain_above ? std::nullopt : std::optional(is_kept);
 }
 
 std::string advice_on_result(const std::string& name, const std::vector<std::string>& names) {
@@ -264,30 +230,28 @@ std::vector<Limit> resolved_limits(const std::vector<Limit>& limits, const std::
   return resolved;
 }
 
-Json assessed(const std::vector<Limit>& limits, const std::vector<std::pair<std::string, double>>& numbers,
-              bool is_complete) {
+Json assessed(const std::vector<Limit>& limits, const SummaryNumbers& numbers, bool is_complete) {
   Json list = Json::array();
   const auto number = [&](const std::string& name) {
     const auto found = std::find_if(numbers.begin(), numbers.end(), [&](const auto& n) { return n.first == name; });
     return found == numbers.end() ? std::nan("") : found->second;
   };
-  const bool touches_nothing = is_without_contact(numbers);
   for (const auto& limit : limits) {
     const double value = number(limit.pattern), low = number(limit.pattern + "_low"),
                  high = number(limit.pattern + "_high");
-    const bool is_known = is_complete && !touches_nothing && std::isfinite(value);
     for (const bool is_max : {true, false}) {
       const auto& bound = is_max ? limit.max : limit.min;
       if (!bound) continue;
-      const auto is_met =
-          is_known ? keeps(limit, is_max, value, is_void(limit.pattern, numbers)) : std::optional<bool>();
+      const LimitVerdict verdict =
+          is_complete ? verdict_on(limit, is_max, value, numbers) : LimitVerdict{{}, "the run was interrupted"};
       list.push_back({{"key", limit.pattern},
                       {"value", json_number(value)},
                       {"limit", *bound},
                       {"kind", is_max ? "max" : "min"},
                       {"unit", meaning_of(limit.pattern).unit},
                       {"usage", usage(value, *bound, is_max)},
-                      {"accepted", is_met ? Json(*is_met) : Json(nullptr)}});
+                      {"accepted", verdict.is_kept ? Json(*verdict.is_kept) : Json(nullptr)},
+                      {"why", verdict.is_kept ? Json(nullptr) : Json(verdict.why)}});
       if (std::isfinite(low) && std::isfinite(high)) list.back().update({{"low", low}, {"high", high}});
     }
   }
@@ -332,13 +296,12 @@ std::string limits_text(const Json& limits, const Json& second_opinion, std::siz
         fmt::format("{} {}", l["kind"] == "max" ? "at most" : "at least", with_unit(l["limit"], l["unit"]));
     const std::string usage =
         l["usage"].is_number() ? fmt::format("{:.3g} %", 100. * l["usage"].get<double>()) : std::string("-");
-    text += fmt::format("  {:<12} {:>8}  {}{}, {}{}{}\n",
+    text += fmt::format("  {:<12} {:>8}  {}{}, {}{}{}{}\n",
                         l["accepted"] == true    ? "accepted"
                         : l["accepted"] == false ? "REJECTED"
                                                  : "not assessed",
-                        usage, l["key"].get<std::string>(),
-                        l["value"].is_number() ? " = " + with_unit(l["value"], l["unit"]) : std::string(": no value"),
-                        allowed, bounds_in_words(l), range_in_words(second_opinion, l));
+                        usage, l["key"].get<std::string>(), value_in_words(l), allowed, bounds_in_words(l),
+                        range_in_words(second_opinion, l), why_not_assessed(l));
   }
   return text;
 }

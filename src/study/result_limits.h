@@ -1,19 +1,18 @@
 #pragma once
 #include <functional>
 #include <nlohmann/json_fwd.hpp>
-#include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "case/limits.h"
+#include "study/limit_verdict.h"
 
 // Limits on numbers of a summary: of one run ([limits] of a case), and of many (study/many).
 namespace rotordrop {
 
-/// Numbers of a summary by their dotted names; NaN for what did not happen, 1 and 0 for yes and no. What the clock says differs from run to run and
+/// Numbers of a summary: 1 and 0 for yes and no. What the clock says differs from run to run and
 /// is left out, as are lists of words.
-std::vector<std::pair<std::string, double>> numbers_of(const nlohmann::ordered_json& summary);
+SummaryNumbers numbers_of(const nlohmann::ordered_json& summary);
 
 /// Advice on a name that no result has.
 std::string advice_on_result(const std::string& name, const std::vector<std::string>& names);
@@ -24,27 +23,9 @@ std::string advice_on_result(const std::string& name, const std::vector<std::str
 std::vector<Limit> resolved_limits(const std::vector<Limit>& limits, const std::vector<std::string>& names,
                                    const std::function<std::string(const std::string&)>& unit_of, Faults& faults);
 
-/// Whether a result tells of contact: when a bearing was touched first, how hard a contact at a probe.
-bool tells_contact(const std::string& name);
-/// Whether a drop ended before the rotor touched anything, a bearing or a contact at a probe, by those of its numbers that tell; no if none does.
-bool is_without_contact(const std::vector<std::pair<std::string, double>>& numbers);
-
-/// Whether a result is a pressure of balls or their static safety, of a bearing or one of its rows; also of a pattern.
-bool is_of_pressure(const std::string& name);
-/// Whether a result tells by how much contact ellipses reach over their raceway's edge.
-bool tells_truncation(const std::string& name);
-/// Whether a pressure or static safety is void since contact ellipses reach over the raceway's edge, by those of the drop's numbers that tell. The
-/// pressure is higher then and the safety lower.
-bool is_void(const std::string& name, const std::vector<std::pair<std::string, double>>& numbers);
-
-/// Whether a value keeps the `max` (or the `min`) of a limit that has one; nothing where that cannot be told, since the value is void.
-/// @param limit  resolved
-std::optional<bool> keeps(const Limit& limit, bool is_max, double value, bool is_void);
-
 /// `limits` of summary.json. Of a drop without contact nothing is assessed: it has met nothing. @param limits  resolved
 /// @param is_complete  of a run that was interrupted nothing is assessed: it may still exceed a limit, or come back below
-nlohmann::ordered_json assessed(const std::vector<Limit>& limits,
-                                const std::vector<std::pair<std::string, double>>& numbers, bool is_complete);
+nlohmann::ordered_json assessed(const std::vector<Limit>& limits, const SummaryNumbers& numbers, bool is_complete);
 /// All are met: true; one is exceeded: false; else null.
 nlohmann::ordered_json accepted(const nlohmann::ordered_json& limits);
 

@@ -29,6 +29,8 @@ constexpr std::array rules{
     Rule{"first_touch_time", "s", "instant of the first touch"},
     Rule{"first_contact_time", "s", "instant of the first contact in the bore"},
     Rule{"first_contact_end", "s", "end of the first contact in the bore"},
+    Rule{"ends_in_first_contact", "1",
+         "1 if the run ends in the first contact with the bearing, its force at the largest then, else 0"},
     Rule{"second_contact_time", "s", "instant of the second contact in the bore"},
     Rule{"first_shoulder_contact_time", "s", "instant of the first contact on a shoulder"},
     Rule{"mean_contact_force_end", "N", "mean contact force in the bore over the last 50 ms"},
@@ -58,7 +60,9 @@ constexpr std::array rules{
     Rule{"fatigue.equivalent_cycles", "1", "largest load cycles that damage as much as all cycles of the worst ball"},
     Rule{"fatigue.load_over_rating", "1", "largest load cycle of a ball over its load under the dynamic rating"},
     Rule{"damage.assessed", "1",
-         "1 if the rotor touched the bearing, in the bore or on a shoulder, else 0: nothing is assessed"},
+         "1 if the rotor touched the bearing, in the bore or on a shoulder, to the end of its first impact, else 0: "
+         "nothing "
+         "is assessed"},
     Rule{"damage.pressure_is_void", "1",
          "whether contact ellipses reached over a raceway's edge, so that the static safety is lower"},
     Rule{"damage.rubs_on_shoulder", "1", "whether the rotor rubbed on a shoulder, whose wear is not computed"},

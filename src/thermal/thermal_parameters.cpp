@@ -63,13 +63,13 @@ bool is_group_of_results(const std::string& name) {
       "bearings", "rotor", "probes", "growth", "energy", "ledger", "windows", "time", "thermal", "detail", "parameters",
       "given", "inputs",
       // Of a bearing in summary.json (study/drop/summary_json.cpp).
-      "first_contact_time", "first_contact_end", "first_touch_time", "second_contact_time", "peak_contact_force",
-      "peak_contact_force_time", "first_bounce_apex", "peak_friction_heat_rate", "friction_heat", "inner_heat",
-      "outer_heat", "catch_up_time", "ring_speed_end", "mean_contact_force_end", "load_torque_peak", "spin_torque_peak",
-      "inner_heat_rate_max", "outer_heat_rate_max", "largest_ball_force", "largest_contact_pressure",
-      "largest_contact_pressure_time", "static_safety", "rows", "centrifugal_force", "ball_model", "preload", "skid",
-      "gyroscopic", "clearance", "axial", "temperature_rise_end", "local", "wear", "damage", "shoulder", "whirl",
-      "support", "spin_up"};
+      "first_contact_time", "first_contact_end", "ends_in_first_contact", "first_touch_time", "second_contact_time",
+      "peak_contact_force", "peak_contact_force_time", "first_bounce_apex", "peak_friction_heat_rate", "friction_heat",
+      "inner_heat", "outer_heat", "catch_up_time", "ring_speed_end", "mean_contact_force_end", "load_torque_peak",
+      "spin_torque_peak", "inner_heat_rate_max", "outer_heat_rate_max", "largest_ball_force",
+      "largest_contact_pressure", "largest_contact_pressure_time", "static_safety", "rows", "centrifugal_force",
+      "ball_model", "preload", "skid", "gyroscopic", "clearance", "axial", "temperature_rise_end", "local", "wear",
+      "damage", "shoulder", "whirl", "support", "spin_up"};
   return taken.count(name) != 0;
 }
 

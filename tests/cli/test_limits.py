@@ -27,6 +27,60 @@ class Limits(ProgramTest):
         self.assertIsNone(self.summary()["accepted"])
         self.assertEqual(self.call("run", case, "-o", "fell", "--accept", *settings(run__end_time="20 ms")).returncode, 0)
 
+    def test_a_run_that_ends_in_the_first_impact_is_not_assessed(self):
+        # The rotor falls through 250 um in 7.14 ms; the impact lasts more than a millisecond. Half a millisecond later the force still rises.
+        case = self.limited('"bearings.*.peak_contact_force" = { max = "4 kN" }\nbearings.TB1.damage.allowed_drops.min = 1\n')
+        done = self.call("run", case, "-o", "out", "--accept", *settings(run__end_time="7.4 ms"))
+        self.assertEqual(done.returncode, 3, done.stdout + done.stderr)
+        bearing = self.summary()["bearings"]["TB1"]
+        self.assertEqual((bearing["ends_in_first_contact"], bearing["first_contact_end"]), (True, None))
+        self.assertAlmostEqual(bearing["peak_contact_force_time"], 7.4e-3, delta=1e-9)
+        why = "the run ends in the first contact with the bearing"
+        self.assertEqual((self.entry(PEAK)["accepted"], self.entry(PEAK)["why"]), (None, why))
+        self.assertIn(f"at most 4 kN; {why}", done.stdout)
+        self.assertEqual((bearing["damage"]["assessed"], bearing["damage"]["why"], bearing["damage"]["allowed_drops"]), (False, why, None))
+        self.assertIn(f"damage per drop: not assessed, {why}", done.stdout)
+        self.assertIsNone(self.entry("bearings.TB1.damage.allowed_drops")["accepted"])
+        # What breaks its bound already stays rejected; the report says why the other is open.
+        done = self.succeed("run", case, "-o", "broken", *settings(run__end_time="7.4 ms"), "--set", f'limits."{PEAK}".max="10 N"')
+        self.assertIs(self.entry(PEAK, "broken")["accepted"], False)
+        self.succeed("report", "broken")
+        rows = {row["key"]: row for row in page_data((self.folder / "broken/report.html").read_text())["acceptance"]["rows"]}
+        self.assertEqual((rows[PEAK.replace("TB1", "TB2")]["state"], rows[PEAK.replace("TB1", "TB2")]["why"]), ("unknown", why))
+        self.succeed("run", case, "-o", "whole", *settings(run__end_time="10 ms"))
+        self.assertIs(self.entry(PEAK, "whole")["accepted"], self.summary("whole")["bearings"]["TB1"]["peak_contact_force"] <= 4e3)
+        self.assertIs(self.summary("whole")["bearings"]["TB1"]["damage"]["assessed"], True)
+
+    def test_limits_of_a_bearing_that_is_not_touched_are_not_met(self):
+        # Tilted by 0.5 mrad the rotor reaches TB1 after half the way, TB2 after 1.4 times the way: 9 ms.
+        case = self.limited('"bearings.*.peak_contact_force" = { max = "20 kN" }\n"bearings.*.static_safety" = { min = 1e-3 }\n')
+        tilted = ("--set", 'rotor.initial_tilt=[0, "0.5 mrad"]', "--set", 'run.end_time="7 ms"')
+        done = self.call("run", case, "-o", "out", "--accept", *tilted)
+        self.assertEqual(done.returncode, 3, done.stdout + done.stderr)
+        why = "the rotor did not touch the bearing"
+        for result in ("peak_contact_force", "static_safety"):
+            self.assertIs(self.entry(f"bearings.TB1.{result}")["accepted"], True)
+            self.assertEqual(self.entry(f"bearings.TB2.{result}")["accepted"], None)
+        self.assertEqual(self.entry("bearings.TB2.peak_contact_force")["why"], why)
+        self.assertIn(f"bearings.TB2.peak_contact_force = 0 N, at most 20 kN; {why}", done.stdout)
+        # A study of the same drops says the same.
+        self.write("study.toml", f'case = "{case}"\n[vary]\n"rotor.initial_tilt[1]" = {{ values = ["0.5 mrad", "-0.5 mrad"] }}\n[design]\nkind = "list"\n'
+                   '[keep]\nresults = ["bearings.*.friction_heat"]\n')
+        told = self.succeed("study", "study.toml", "-o", "s", "--set", 'run.end_time="7 ms"').stdout
+        limits = {limit["result"]: limit for limit in json.loads((self.folder / "s/study.json").read_text())["limits"]}
+        self.assertEqual((limits[PEAK]["n"], limits[PEAK]["undefined"]), (1, 1), "the other one of two drops")
+        other = limits["bearings.TB2.peak_contact_force"]
+        self.assertEqual((other["n"], other["broken"], other["undefined"], other["undefined_because"]), (1, 0, 1, {why: 1}))
+        self.assertIn(f"bearings.TB2.peak_contact_force above 2e+04 N: 0 of 1 drops, 0 %; not assessed in 1 more: {why} (1)", told)
+        self.succeed("study", "report", "s")
+
+    def test_any_number_of_drops_is_allowed_where_no_limit_of_them_is_found(self):
+        case = self.limited("bearings.TB1.damage.allowed_drops.min = 20\n")
+        done = self.succeed("run", case, "-o", "out", "--accept", *settings(contact__wear_coefficient_bore=0, contact__wear_coefficient_rotor=0))
+        self.assertIn("allowed drops: no limit found", done.stdout)
+        self.assertRegex(done.stdout, r"accepted +-  bearings\.TB1\.damage\.allowed_drops: no limit found, at least 20")
+        self.assertIsNone(self.entry("bearings.TB1.damage.allowed_drops")["value"])
+
     def test_usage_is_the_ratio_of_value_and_limit(self):
         # Dotted and quoted names, an upper and a lower limit, units of the user's own.
         case = self.limited(f'{PEAK}.max = "9 kN"\n"{HEAT}" = {{ max = "1 J", min = "0.001 J" }}\nrotor.mass.min = "100 kg"\n')

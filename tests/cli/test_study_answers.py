@@ -136,7 +136,7 @@ class StudyAnswers(ProgramTest):
                 '[design]\nkind = "list"\n[keep]\nresults = ["bearings.TB1.friction_heat"]\n'
                 f'[limits]\n{FORCE} = {{ max = "1 kN" }}\nbearings.TB1.peak_contact_force_time = {{ max = "1 s" }}\n')
         for lanes in ("true", "false"):
-            told, answers = self.study(f"lanes = {lanes}\n" + text, lanes, "--set", 'run.end_time="8 ms"')
+            told, answers = self.study(f"lanes = {lanes}\n" + text, lanes, "--set", 'run.end_time="9 ms"')
             self.assertIn("2 of 4 drops ended before the rotor touched anything", told)
             self.assertEqual(answers["without_contact"], 2)
             self.assertEqual([(one["n"], one["undefined"], one["broken"]) for one in answers["limits"]], [(2, 2, 2), (2, 2, 0)])

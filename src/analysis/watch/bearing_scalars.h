@@ -99,6 +99,15 @@ using BearingScalars = BearingScalarsOf<double>;
   const bool rises_still = std::isnan(s.second_contact_time) && s.y >= s.highest_in_first_flight;
   return rises_still ? never : s.highest_in_first_flight;
 }
+/// Whether the last step lies in the first contact, whose force is at its largest then: in the bore, or on a shoulder before it. A rotor that stays
+/// after its first impact is past it.
+[[nodiscard]] inline bool ends_in_first_contact(const BearingScalars& s) {
+  if (std::isfinite(s.first_contact_end)) return false;
+  if (std::isfinite(s.first_contact_time)) return s.contact_force.time >= s.time;
+  const bool pushes_up = s.shoulder_force.largest >= -s.shoulder_force.smallest;
+  return std::isfinite(s.first_shoulder_contact_time) &&
+         (pushes_up ? s.shoulder_force.largest_time : s.shoulder_force.smallest_time) >= s.time;
+}
 [[nodiscard]] inline bool has_touched(const BearingScalars& s) { return std::isfinite(first_touch_time(s)); }
 
 /// Time at which a quantity falls or rises through `level` between two instants, by a straight line.

@@ -46,9 +46,12 @@ std::string fatigue_basis(const std::optional<FatigueShare>& f) {
   return text;
 }
 
-/// Of a bearing that the rotor did not touch: its preload says nothing about drops. Names stay, for limits on them.
-Json not_assessed(const std::optional<FatigueShare>& fatigue, const TouchdownParameters& p) {
-  const std::string why = ": not assessed, the rotor did not touch the bearing";
+constexpr const char* untouched = "the rotor did not touch the bearing";
+constexpr const char* in_first_contact = "the run ends in the first contact with the bearing";
+
+/// Of a bearing that the rotor did not touch, whose preload says nothing about drops, or not to the end of its impact. Names stay, for limits on them.
+Json not_assessed(const std::string& reason, const std::optional<FatigueShare>& fatigue, const TouchdownParameters& p) {
+  const std::string why = ": not assessed, " + reason;
   Json shares = nullptr;
   if (fatigue) {
     shares = fatigue_json(*fatigue);
@@ -58,11 +61,17 @@ Json not_assessed(const std::optional<FatigueShare>& fatigue, const TouchdownPar
       else
         value = nullptr;
   }
-  return {{"assessed", false},           {"static_safety", nullptr},
-          {"pressure_is_void", nullptr}, {"required_static_safety", p.required_static_safety},
-          {"fatigue", shares},           {"wear_share", nullptr},
-          {"rubs_on_shoulder", nullptr}, {"allowed_drops", nullptr},
-          {"governed_by", "nothing"},    {"basis", {"static safety" + why, "contact fatigue" + why, "wear" + why}}};
+  return {{"assessed", false},
+          {"static_safety", nullptr},
+          {"pressure_is_void", nullptr},
+          {"required_static_safety", p.required_static_safety},
+          {"fatigue", shares},
+          {"wear_share", nullptr},
+          {"rubs_on_shoulder", nullptr},
+          {"allowed_drops", nullptr},
+          {"governed_by", "nothing"},
+          {"why", reason},
+          {"basis", {"static safety" + why, "contact fatigue" + why, "wear" + why}}};
 }
 
 /// Numbers of the rows whose contact ellipses reached over the raceway's edge.
@@ -76,7 +85,8 @@ std::vector<std::size_t> rows_over_the_edge(const BearingSummary& b) {
 }  // namespace
 
 Json damage_json(const BearingSummary& b, const std::optional<FatigueShare>& fatigue, const TouchdownParameters& p) {
-  if (!has_touched(b.scalars)) return not_assessed(fatigue, p);
+  if (!has_touched(b.scalars)) return not_assessed(untouched, fatigue, p);
+  if (ends_in_first_contact(b.scalars)) return not_assessed(in_first_contact, fatigue, p);
   const double safety = static_safety(b.scalars.contact_pressure.value);
   const Json wear = b.local ? wear_json(*b.local) : Json::object();
   const double wear_drops = number_at(wear, "/drops_until_limit");
@@ -126,7 +136,7 @@ bool rubs_on_shoulder(const Json& d) { return d.contains("rubs_on_shoulder") && 
 
 std::string damage_text(const Json& d, std::size_t indent) {
   if (!is_assessed(d))
-    return fmt::format("{:{}}damage per drop: not assessed, the rotor did not touch the bearing\n", "", indent);
+    return fmt::format("{:{}}damage per drop: not assessed, {}\n", "", indent, d.value("why", untouched));
   std::string text = fmt::format("{:{}}damage per drop: static safety ", "", indent);
   const bool is_void = is_pressure_void(d);
   text += d["static_safety"].is_null()

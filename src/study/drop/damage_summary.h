@@ -15,7 +15,7 @@ struct BearingSummary;
 [[nodiscard]] nlohmann::ordered_json damage_json(const BearingSummary& bearing,
                                                  const std::optional<FatigueShare>& fatigue,
                                                  const TouchdownParameters& parameters);
-/// Whether a `damage` says anything: not if the rotor did not touch the bearing.
+/// Whether a `damage` says anything: not if the rotor did not touch the bearing, or the run ends in its first contact.
 [[nodiscard]] bool is_assessed(const nlohmann::ordered_json& damage);
 /// Whether contact ellipses reached over a raceway's edge: then the static safety is lower than a `damage` says.
 [[nodiscard]] bool is_pressure_void(const nlohmann::ordered_json& damage);

@@ -34,6 +34,7 @@ Json bearing_json(const BearingSummary& b) {
   j["first_touch_time"] = json_number(first_touch_time(s));
   j["first_contact_time"] = json_number(s.first_contact_time);
   j["first_contact_end"] = json_number(s.first_contact_end);
+  j["ends_in_first_contact"] = ends_in_first_contact(s);
   j["second_contact_time"] = json_number(s.second_contact_time);
   j["peak_contact_force"] = json_number(s.contact_force.value);
   j["peak_contact_force_time"] = json_number(s.contact_force.time);

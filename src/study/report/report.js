@@ -146,7 +146,7 @@ function showProvenance() {
 
 function limitTable(rows, met = "✓ accepted", exceeded = "! REJECTED") {
   const words = { ok: met, warning: exceeded, unknown: "? not assessed" };
-  return table(["", "result", "value", "limit", "usage"], rows.map((r) => [element("span", { class: "state " + r.state }, words[r.state]),
+  return table(["", "result", "value", "limit", "usage"], rows.map((r) => [element("span", { class: "state " + r.state }, words[r.state] + (r.why ? `: ${r.why}` : "")),
     r.meaning ? element("span", { title: r.key }, r.meaning) : r.key, unit(r.value), unit(r.limit), r.usage]), ["", "", "number", "number", "number"]);
 }
 

@@ -87,11 +87,12 @@ Json report_acceptance(const Json& summary) {
     rows.push_back(
         {{"key", l.at("key")},
          {"meaning", meaning.long_name},
-         {"value", number(l.at("value")) +
+         {"value", (l.at("value").is_null() && l.at("accepted") == true ? "no limit found" : number(l.at("value"))) +
                        (l.contains("low")
                             ? fmt::format(" ({:.4g} to {:.4g})", l.at("low").get<double>(), l.at("high").get<double>())
                             : "")},
          {"limit", fmt::format("{} {}", l.at("kind") == "max" ? "≤" : "≥", number(l.at("limit")))},
+         {"why", l.value("why", Json(nullptr))},
          {"usage", l.at("usage").is_number() ? fmt::format("{:.3g} %", 100. * l.at("usage").get<double>()) : "—"},
          {"state", l.at("accepted") == true    ? "ok"
                    : l.at("accepted") == false ? "warning"
@@ -138,6 +139,7 @@ Json report_damage(const Json& summary) {
     if (is_pressure_void(d) && safety >= required) rows.back()["state"] = "unknown";
     add("contact fatigue per drop, share of the life L10", "/fatigue/share", "≤ 1", number_at(d, "/fatigue/share"),
         basis(1));
+    if (is_pressure_void(d) && number_at(d, "/fatigue/share") <= 1.) rows.back()["state"] = "unknown";
     add("wear per drop, share of the permitted depth", "/wear_share", "≤ 1", number_at(d, "/wear_share"), basis(2));
     const bool is_whole = !d.at("fatigue").is_null() && !d.at("wear_share").is_null() && !is_pressure_void(d);
     const std::string governed =

@@ -1,33 +1,36 @@
 #include "study/many/answers/limit_verdicts.h"
 
 #include <algorithm>
-#include <cmath>
 
-#include "study/result_limits.h"
+#include "study/limit_verdict.h"
 
 namespace rotordrop {
 
-LimitVerdicts::LimitVerdicts(const StudyTable& table) : table_(table), told_(table.n_points) {
+LimitVerdicts::LimitVerdicts(const StudyTable& table, const std::vector<Limit>& limits)
+    : table_(table), told_(table.n_points) {
+  const auto is_told = [&](const std::string& name) {
+    return tells_contact(name) || std::any_of(limits.begin(), limits.end(), [&](const Limit& limit) {
+             return is_needed_for_verdict(name, limit.pattern);
+           });
+  };
   for (const auto& column : table.results)
-    if (tells_contact(column.name) || tells_truncation(column.name))
+    if (is_told(column.name))
       for (std::size_t k = 0; k < table.n_points; ++k)
         if (table.status[k] == PointStatus::done) told_[k].emplace_back(column.name, column.values[k]);
 }
 
-std::optional<bool> LimitVerdicts::breaks(const Limit& limit, std::size_t point) const {
+LimitBreak LimitVerdicts::breaks(const Limit& limit, std::size_t point) const {
   const ResultColumn* column = table_.find(limit.pattern);
-  if (!column || table_.status[point] != PointStatus::done) return {};
-  const double value = column->values[point];
-  const auto& told = told_[point];
-  if (!std::isfinite(value) || is_without_contact(told)) return {};
-  bool is_certain = true;
+  if (table_.status[point] != PointStatus::done) return {{}, "not done"};
+  if (!column) return {{}, "no value"};
+  LimitBreak found{false, ""};
   for (const bool is_max : {true, false}) {
     if (!(is_max ? limit.max : limit.min)) continue;
-    const auto is_kept = keeps(limit, is_max, value, is_void(limit.pattern, told));
-    if (is_kept == false) return true;
-    is_certain = is_certain && is_kept;
+    const auto verdict = verdict_on(limit, is_max, column->values[point], told_[point]);
+    if (verdict.is_kept == false) return {true, ""};
+    if (!verdict.is_kept) found = {{}, verdict.why};
   }
-  return is_certain ? std::optional(false) : std::nullopt;
+  return found;
 }
 
 std::size_t LimitVerdicts::n_without_contact() const {

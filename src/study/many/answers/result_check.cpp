@@ -25,8 +25,8 @@ std::string long_name_of_result(const Study& study, const std::string& name) {
 bool is_kept(const Study& study, const std::string& name) {
   if (study.keep_results.empty()) return true;
   const auto is_meant = [&](const std::string& pattern) { return fits(name, pattern); };
-  const auto is_on_pressure = [](const Limit& l) { return is_of_pressure(l.pattern); };
-  if (tells_truncation(name) && std::any_of(study.limits.begin(), study.limits.end(), is_on_pressure)) return true;
+  const auto needs_it = [&](const Limit& l) { return is_needed_for_verdict(name, l.pattern); };
+  if (std::any_of(study.limits.begin(), study.limits.end(), needs_it)) return true;
   return tells_contact(name) || std::any_of(study.keep_results.begin(), study.keep_results.end(), is_meant) ||
          std::any_of(study.limits.begin(), study.limits.end(), [&](const Limit& l) { return is_meant(l.pattern); }) ||
          std::any_of(study.derived.begin(), study.derived.end(), [&](const auto& d) { return d.name == name; }) ||

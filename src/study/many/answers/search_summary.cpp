@@ -78,7 +78,8 @@ Json limits_of(const Study& study, const StepValues& values, const LimitVerdicts
       one["lower_value"] = json_number(statistic_of(*study.minimise, all, true));
     }
     std::size_t n_undefined = 0;
-    for (std::size_t k = values.first(step); k <= values.last(step); ++k) n_undefined += !verdicts.breaks(limit, k);
+    for (std::size_t k = values.first(step); k <= values.last(step); ++k)
+      n_undefined += !verdicts.breaks(limit, k).is_broken;
     one["undefined"] = n_undefined;
     list.push_back(std::move(one));
   }

@@ -170,8 +170,9 @@ function influences(result) {
 function showAnswers() {
   const parts = [element("p", {}, data.counts)];
   if (data.limits.length && !data.minimise)
-    parts.push(element("h3", {}, "Limits"), table(["result", "allowed", "broken by", "probability", "95 % interval"], data.limits.map((l) => [l.result,
+    parts.push(element("h3", {}, "Limits"), table(["result", "allowed", "broken by", "not assessed", "probability", "95 % interval"], data.limits.map((l) => [l.result,
       [isNumber(l.min) ? `from ${short(l.min)}` : "", isNumber(l.max) ? `up to ${short(l.max)}` : ""].filter(Boolean).join(" ") + unitText(l.unit), `${l.broken} of ${l.n} drops`,
+      Object.entries(l.undefined_because || {}).map(([why, n]) => `${n}: ${why}`).join("; ") || "–",
       l.probability === null ? "–" : `${short(100 * l.probability)} %`, isNumber(l.low) ? `${short(100 * l.low)} to ${short(100 * l.high)} % (${l.interval})` : l.interval || "–"])));
   if (data.choose) {
     const c = data.choose;

@@ -103,12 +103,14 @@ Json limit_summary(const Study& study, const Design& design, const StudyTable& t
   const auto n_replicates = static_cast<std::size_t>(study.n_replicates);
   double rows = 0., hits = 0.;
   std::size_t n = 0, broken = 0, n_undefined = 0;
+  Json undefined = Json::object();
   std::map<std::size_t, std::pair<double, double>> of_row;
   for (const auto k : points) {
     if (table.status[k] != PointStatus::done) continue;
-    const auto is_broken = verdicts.breaks(limit, k);
+    const auto [is_broken, why] = verdicts.breaks(limit, k);
     if (!is_broken) {
       ++n_undefined;
+      undefined[why] = undefined.value(why, std::size_t{0}) + 1;
       continue;
     }
     ++n;
@@ -125,6 +127,7 @@ Json limit_summary(const Study& study, const Design& design, const StudyTable& t
   j["n"] = n;
   j["broken"] = broken;
   j["undefined"] = n_undefined;
+  j["undefined_because"] = undefined;
   if (rows == 0.) {
     j["probability"] = nullptr;
     return j;
@@ -333,7 +336,7 @@ Json study_summary(const Study& study, const Design& design, const StudyTable& t
   if (study.design.size) j["design"]["size"] = *study.design.size;
   j["parameters"] = Json::object();
   for (const auto& p : study.parameters) j["parameters"][p.name] = parameter_summary(p);
-  const LimitVerdicts verdicts(table);
+  const LimitVerdicts verdicts(table, study.limits);
   j["without_contact"] = verdicts.n_without_contact();
   j["limits"] = Json::array();
   for (const auto& limit : study.limits) j["limits"].push_back(limit_summary(study, design, table, verdicts, limit));

@@ -26,6 +26,15 @@ std::string percent(const Json& value) {
   return value.is_number() ? fmt::format("{:.3g}", 100. * value.get<double>()) : std::string("?");
 }
 
+/// "; not assessed in 3 more: the rotor touched nothing (2), no value (1)".
+std::string not_assessed_text(const Json& limit) {
+  if (!limit.contains("undefined_because") || limit["undefined_because"].empty()) return {};
+  std::string reasons;
+  for (const auto& [why, n] : limit["undefined_because"].items())
+    reasons += fmt::format("{}{} ({})", reasons.empty() ? "" : ", ", why, n.get<std::size_t>());
+  return fmt::format("; not assessed in {} more: {}", limit["undefined"].get<std::size_t>(), reasons);
+}
+
 std::string choice_text(const Json& choice) {
   const std::string unit = choice["result_unit"], own = choice["unit"];
   const std::string quantile = percent(choice["quantile"]) + " %";
@@ -111,11 +120,12 @@ std::string study_text(const Study& study, const Json& j) {
     if (limit["max"].is_number()) bounds += " above " + number(limit["max"], unit);
     if (limit["min"].is_number()) bounds += (bounds.empty() ? " below " : " or below ") + number(limit["min"], unit);
     text +=
-        fmt::format("{}{}: {} of {} drops, {} %{}\n", limit["result"].get<std::string>(), bounds,
+        fmt::format("{}{}: {} of {} drops, {} %{}{}\n", limit["result"].get<std::string>(), bounds,
                     limit["broken"].get<std::size_t>(), limit["n"].get<std::size_t>(), percent(limit["probability"]),
                     limit.contains("low") && limit["low"].is_number()
                         ? fmt::format(" (95 % interval {} to {} %)", percent(limit["low"]), percent(limit["high"]))
-                        : "");
+                        : "",
+                    not_assessed_text(limit));
   }
   if (j.contains("choose")) text += choice_text(j["choose"]);
   std::vector<std::string> asked;
