@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <numbers>
 
 #include "bearing/support/linear_support.h"
 #include "machine/heat/make_sections.h"
@@ -40,6 +42,24 @@ struct RingAtRest {
   [[nodiscard]] double z() const { return state[TouchdownBearing::ring_z]; }
 };
 
+/// How far the surface of a round rotor beside a ring's centre reaches, at most, towards a bore that its waves make narrower [m].
+/// @param y, z  of the rotor, relative to the ring, which has not turned yet
+double reach_into_bore(const std::vector<BoreWave>& waves, double y, double z) {
+  double reach = std::hypot(y, z);
+  if (waves.empty()) return reach;
+  reach = -std::numeric_limits<double>::infinity();
+  int highest = 1;
+  for (const BoreWave& wave : waves) highest = std::max(highest, wave.order);
+  const int n = 64 * highest;  // azimuths: crests are found to 0.1 %
+  for (int k = 0; k < n; ++k) {
+    const double azimuth = 2. * std::numbers::pi * k / n;
+    double here = y * std::cos(azimuth) + z * std::sin(azimuth);
+    for (const BoreWave& wave : waves) here += wave.amplitude * std::sin(wave.order * azimuth + wave.phase);
+    reach = std::max(reach, here);
+  }
+  return reach;
+}
+
 /// A rotor that starts inside a ring would be shot out of it.
 void check_start(const MachineParameters& p, const Node& case_node, const RotorModel& rotor,
                  const Machine::Parts& parts, const std::vector<RingAtRest>& rings) {
@@ -51,10 +71,9 @@ void check_start(const MachineParameters& p, const Node& case_node, const RotorM
     const auto* b = p.bearings[i].touchdown();
     if (!b) continue;
     const RingAtRest& at_rest = rings[ring++];
-    const double speed = p.run.initial_speed,
-                 distance = std::hypot(motions[i].y - at_rest.y(), motions[i].z - at_rest.z()),
-                 overlap = static_cast<const TouchdownBearing&>(*parts.supports[i])
-                               .overlap_with_shoulders(motions[i], at_rest.state),
+    const auto& bearing = static_cast<const TouchdownBearing&>(*parts.supports[i]);
+    const double speed = p.run.initial_speed, y = motions[i].y - at_rest.y(), z = motions[i].z - at_rest.z(),
+                 distance = std::hypot(y, z), overlap = bearing.overlap_with_shoulders(motions[i], at_rest.state),
                  gap = air_gap(*b, p.contact) - parts.rotor_growth_by_speed[ring - 1] * speed * speed;
     if (gap <= 0.)
       faults.add(position_of(case_node, "contact"),
@@ -67,6 +86,12 @@ void check_start(const MachineParameters& p, const Node& case_node, const RotorM
           fmt::format("the rotor starts {:.6g} um from the centre of the ring of {}, beyond the air gap of {:.6g} um.",
                       distance * 1e6, p.bearings[i].name, gap * 1e6),
           "Check rotor.initial_offset, initial_tilt and initial_orbit.");
+    else if (const double reach = reach_into_bore(bearing.data().bore_waves, y, z); reach > gap)
+      faults.add(position_of(case_node, "bearings"),
+                 fmt::format("the rotor starts {:.6g} um inside the wavy bore of {}: it is {:.6g} um from the ring's "
+                             "centre, the air gap is {:.6g} um, and waves make the bore narrower.",
+                             (reach - gap) * 1e6, p.bearings[i].name, distance * 1e6, gap * 1e6),
+                 "Check amplitudes in its waviness, rotor.initial_offset, initial_tilt and initial_orbit.");
     else if (overlap > 0.)
       faults.add(
           position_of(case_node, "bearings"),
