@@ -103,7 +103,7 @@ Section<RunParameters> run_section() {
       read_until);
   s.quantity("initial_speed", &P::initial_speed,
              {.unit = "rad/s",
-              .range = between(-2e4, 2e4),
+              .range = between(-2e5, 2e5),
               .usual = between(-6500, 6500),
               .help = "Spin speed of the rotor when levitation is lost; positive from +y towards +z."});
   s.custom("gravity",

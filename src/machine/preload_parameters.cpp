@@ -50,7 +50,7 @@ Section<PreloadMapParameters> map_section() {
   rise("outer_rise", &P::outer_rise, "outer");
   axis("speed", &P::speed,
        {.unit = "rad/s",
-        .range = between(0, 2e4),
+        .range = between(0, 2e5),
         .help = "Speeds of the inner ring in the maps of growth and interference; standstill, half and full "
                 "preload.speed if not given. Used only with growth_by_speed or ball_model = \"inertial\"."});
   return s;
@@ -77,7 +77,7 @@ Section<PreloadParameters> preload_section() {
                "finite elements of its section with thermal.fe.modes modes; independent of thermal.models."});
   s.quantity("speed", &P::speed,
              {.unit = "rad/s",
-              .range = between(0, 2e4),
+              .range = between(0, 2e5),
               .help = "Inner-ring speed in steady running; run.initial_speed if not given."});
   s.quantities("force", &P::force,
                {.unit = "N",

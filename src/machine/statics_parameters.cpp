@@ -34,7 +34,7 @@ Section<StaticsParameters> statics_section() {
   s.list("loads", &P::loads, load_section());
   s.quantity("speed", &P::speed,
              {.unit = "rad/s",
-              .range = between(-2e4, 2e4),
+              .range = between(-2e5, 2e5),
               .fallback = "0 rpm",
               .help = "Spin speed of the inner rings. Used only by bearings with ball_model = \"inertial\"."});
   const auto rise = [&](const char* key, double P::*member, const std::string& part) {
