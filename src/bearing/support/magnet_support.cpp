@@ -30,10 +30,12 @@ Section<MagnetParameters> magnet_section() {
        .usual = or_zero(between(1e-5, 0.2)),
        .fallback = "0 s",
        .help = "With it the force that held the rotor decays after the release, as currents die away; 0: at once."});
-  s.quantities("holding_force", &P::holding_force,
-               {.unit = "N",
-                .help = "F_0 along y, z, with the rotor at rest where it starts; if not given, the magnets share the "
-                        "rotor's weight by its centre of gravity."});
+  s.quantities(
+      "holding_force", &P::holding_force,
+      {.unit = "N",
+       .help = "F_0 along y, z, with the rotor at rest in the middle of the touchdown bearings. A disturbance of "
+               "the start (rotor.initial_offset and the like) adds -K x - C v. If not given, the magnets share "
+               "the rotor's weight by its centre of gravity."});
   s.quantity("axial_stiffness", &P::axial_stiffness,
              {.unit = "N/m",
               .range = at_least(0),

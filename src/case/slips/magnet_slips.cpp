@@ -49,7 +49,7 @@ void look_at_given_forces(const CaseParameters& p, double mass, const Node& tree
                "the magnets hold the rotor with {:.4g} N along {} where its weight is {:.4g} N: it is not at rest "
                "where it starts.",
                held[i], i == 0 ? "y" : "z", weight),
-           "holding_force is what a magnet carries with the rotor at rest where it starts; leave it out to share the "
+           "holding_force is what a magnet carries with the rotor at rest and undisturbed; leave it out to share the "
            "weight.");
   }
 }
