@@ -45,6 +45,8 @@ inline constexpr std::array warning_kinds{
     WarningKind{"support-travel", "m", "times that an outer ring moves beyond its support's travel_limit", true},
     WarningKind{"probe-touched", "m", "times that the rotor moves beyond the clearance at a probe", true},
     WarningKind{"no-contact", "s", "runs that end before the rotor touches a touchdown bearing", false},
+    WarningKind{"tilt", "rad",
+                "runs that end with the rotor tilted by more than 0.1 rad: its motion is that of small tilts", false},
     WarningKind{"window-error", "m", "windows that leave more than thermal.fe.window_tolerance", false},
     WarningKind{"response-error", "1", "reduced finite elements whose response to heat is off by more than 5 %", false},
     WarningKind{"coarse-rows", "1",
@@ -52,7 +54,9 @@ inline constexpr std::array warning_kinds{
                 "row is taken",
                 false},
     WarningKind{"local-temperature", "K",
-                "bores whose local temperature under the rub exceeds their material's temperature_limit", false},
+                "bores, and rotors with a journal of its own, whose local temperature under the rub exceeds their "
+                "material's temperature_limit",
+                false},
     WarningKind{"wear", "m", "surfaces that wear by more than contact.wear_depth_limit in this drop", false},
     WarningKind{"skidding", "1",
                 "rows whose balls friction cannot keep rolling during more than 5 % of the ring's speed changes",
@@ -76,6 +80,8 @@ inline constexpr double residual_limit = 1e-3;
 /// Overlap of rotor and bore over the air gap. Overlapping circles touch over +- arccos(c / (c + delta)), 48 deg at a half: laws of a contact that is
 /// narrow against its radius (Hertz) are off there. Estimate.
 inline constexpr double penetration_limit = 0.5;
+/// Tilt of the rotor [rad]: its motion takes sin a = a and cos a = 1, which are off by a^2/6 and a^2/2, 0.2 and 0.5 % here.
+inline constexpr double tilt_limit = 0.1;
 /// Error of a reduced model's response to heat: what `compare` tolerates of a temperature.
 inline constexpr double response_error_limit = 0.05;
 

@@ -231,6 +231,31 @@ void look_at_sag(const std::string& name, const TouchdownParameters& b, double s
          "Check the units of both.");
 }
 
+/// A rotor that one bearing holds after its magnets have let go.
+void look_at_tipping(const CaseParameters& p, const RigidBody& body, const Node& tree, std::vector<Fault>& warnings) {
+  // Of the rotor's length: what a rotor balances on for the time of a drop. Estimate.
+  constexpr double nearly_at = 0.01;
+  const SupportEntry* only = nullptr;
+  for (const auto& entry : p.bearings) {
+    if (const auto* m = entry.magnet(); m && std::min(m->release_time[0], m->release_time[1]) < p.run.latest_end())
+      continue;
+    if (only && only->node() != entry.node()) return;
+    if (!only || entry.touchdown()) only = &entry;
+  }
+  if (!only || !only->touchdown() || only->touchdown()->ring_motion == RingMotion::free) return;
+  for (const auto& [name, probe] : p.rotor.probes)
+    if (probe.contact && probe.node != only->node()) return;
+  const auto& x = p.rotor.geometry.node_x;
+  const double length = x.empty() ? 0. : x.back() - x.front(),
+               beside = p.rotor.geometry.position(only->node()) - body.centre_of_gravity;
+  if (std::fabs(beside) <= nearly_at * length || std::hypot(p.run.gravity[1], p.run.gravity[2]) == 0.) return;
+  warn(warnings, position_of_value(table_at(tree, "bearings", only->name), "node"),
+       fmt::format("bearings.{} alone holds the rotor, {:.4g} mm beside its centre of gravity: the rotor tips over.",
+                   only->name, mm(std::fabs(beside))),
+       "A rotor needs touchdown bearings at two places, on both sides of its centre of gravity. Is one missing, or its "
+       "node or a mass of the rotor wrong?");
+}
+
 }  // namespace
 
 void look_at_supports(const CaseParameters& p, const Node& tree, std::vector<Fault>& warnings) {
@@ -258,6 +283,7 @@ void look_at_supports(const CaseParameters& p, const Node& tree, std::vector<Fau
       look_at_matrices(entry.name, magnet->stiffness, magnet->damping, body.mass, tree, warnings);
     }
   look_at_magnets(p, body, tree, warnings);
+  look_at_tipping(p, body, tree, warnings);
 }
 
 }  // namespace rotordrop

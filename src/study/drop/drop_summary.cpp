@@ -54,6 +54,16 @@ std::vector<BearingSummary::Rises> rises_of(const Machine& machine, const std::v
   return all;
 }
 
+double tilt_of_ends(const Machine& machine, const RotorGeometry& geometry, std::span<const double> y) {
+  const auto rotor = y.subspan(0, machine.rotor().state_entries().size());
+  double tilt = 0.;
+  for (const int node : {1, static_cast<int>(geometry.node_x.size())}) {
+    const Motion at = machine.rotor().node_motion(node, rotor);
+    tilt = std::max(tilt, std::hypot(at.theta_y, at.theta_z));
+  }
+  return tilt;
+}
+
 /// What the drop's observers and ledgers know of a bearing.
 BearingSummary followed(const Machine& machine, const DropScalars& scalars, std::size_t i, const DropResult& result) {
   const std::size_t support = scalars.support(i);
@@ -129,6 +139,7 @@ DropSummary summarise(const Case& drop_case, const Machine& machine, const DropS
   s.probes = probe_summaries(machine, scalars.probes(), y);
   s.rotor_speed_end = machine.spin(y).speed;
   s.mechanical_initial = machine.initial_mechanical_energy();
+  s.tilt_end = tilt_of_ends(machine, p.rotor.geometry, y);
   s.energy = machine.energy_balance(result.end_time, y, found.growth_in_force);
   s.has_windage = machine.rotor().has_windage();
   for (std::size_t k = 0; k < machine.n_thermal_models(); ++k) {

@@ -64,6 +64,7 @@ struct DropSummary {
   std::vector<ProbeSummary> probes;
   double rotor_speed_end = 0;     ///< [rad/s]
   double ambient = 0;             ///< [K]; 0: of a summary that does not tell it
+  double tilt_end = 0;            ///< of the rotor's end that is tilted more [rad]
   double mechanical_initial = 0;  ///< energy at the start [J]
   EnergyBalance energy;           ///< at the end; `heat` of `heat_models`
   bool has_windage = false;

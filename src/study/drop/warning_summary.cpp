@@ -80,6 +80,12 @@ std::string sentence(const RunWarning& w) {
     return fmt::format("the rotor moves up to {:.4g} um beyond the clearance at the probe{}", -w.worst * 1e6, when(w));
   if (code == "no-contact")
     return fmt::format("the run ends at {:.4g} ms, before the rotor touches a touchdown bearing", w.worst * 1e3);
+  if (code == "tilt")
+    return fmt::format(
+        "the rotor ends tilted by {:.3g} rad ({:.3g} degrees): its motion is that of small tilts, whose sine and "
+        "cosine "
+        "are off by more than 0.5 % above {:.2g} rad. It tips over if supports do not hold both its ends",
+        w.worst, w.worst * 180. / std::numbers::pi, w.limit);
   if (code == "window-error")
     return fmt::format(
         "{} windows left more than thermal.fe.window_tolerance = {:.2g} nm, the most{} ({:.2g} nm); a shorter "
@@ -134,6 +140,7 @@ std::vector<RunWarning> warnings_in_summary(const MachineParameters& p, const Dr
                         double time = RunWarning::never) {
     if (worst > limit) list.push_back({find_warning_kind(code), place, part, 1, worst, limit, time});
   };
+  warn("tilt", "", "", summary.tilt_end, tilt_limit, summary.end_time);
   for (const BearingSummary& b : summary.bearings) {
     if (b.local) {
       const LocalRub& rub = b.local->rub;
