@@ -105,7 +105,8 @@ Section<RunParameters> run_section() {
              {.unit = "rad/s",
               .range = between(-2e5, 2e5),
               .usual = between(-6500, 6500),
-              .help = "Spin speed of the rotor when levitation is lost; positive from +y towards +z."});
+              .help = "Spin speed of the rotor when levitation is lost; positive from +y towards +z. No formula has a "
+                      "bound of its own; what limits it is the surface speed, above 400 m/s of which `check` warns."});
   s.custom("gravity",
            {.unit = "m/s2",
             .accepts = "a number (along -y), or [x, y, z]",
@@ -174,8 +175,9 @@ Section<MaterialParameters> material_section() {
              {.unit = "K",
               .range = positive(),
               .usual = between(320, 2000),
-              .help = "Temperature up to which parts of a bearing keep their hardness and dimensions. A run in which "
-                      "rings or balls exceed it warns; without it nothing is assessed. Built in: steel 150 degC (rings "
+              .help = "Temperature up to which parts of a bearing, or the rotor under it (`journal`), keep their "
+                      "hardness and dimensions. A run in which rings, balls or the rotor under a bearing whose journal "
+                      "is given exceed it warns; without it nothing is assessed. Built in: steel 150 degC (rings "
                       "stabilised as S0, bearing catalogues), Si3N4 800 degC (estimate: strength falls above)."});
   return s;
 }

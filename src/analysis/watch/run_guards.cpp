@@ -49,6 +49,14 @@ bool is_of_bearing(const std::string& part) {
   return false;
 }
 
+/// Material of a part that must keep its dimensions and hardness; null of other parts. Of the shaft only where a journal names its own: the heat of
+/// others is reckoned with that of the ring, whatever they are of.
+const MaterialParameters* material_of_part(const MachineParameters& p, const TouchdownParameters& b,
+                                           const std::string& part) {
+  if (part == "shaft") return b.journal ? find_material(p, *b.journal) : nullptr;
+  return is_of_bearing(part) ? find_material(p, part.starts_with("ball") ? b.ball : b.ring) : nullptr;
+}
+
 /// Names in checkpoints have no empty parts: "guards/ball-load/TB1/row 1", "guards/step-collapse".
 std::string key_of(const std::string& name) {
   std::string key;
@@ -116,10 +124,10 @@ void RunGuards::look_at_temperatures(const std::vector<Observable>& observables,
   for (const auto& o : observables) {
     if (o.kind == Observed::housing_fit_open)
       rows.looks.push_back({add("fit-open", o.place, "", 0.), first});
-    else if (const auto path = parts_of(o.name); o.unit == "K" && is_of_bearing(path.part))
+    else if (const auto path = parts_of(o.name); o.unit == "K")
       for (const auto& entry : parameters_.bearings)
         if (const auto* b = entry.touchdown(); b && entry.name == path.bearing)
-          if (const auto* material = find_material(parameters_, path.part.starts_with("ball") ? b->ball : b->ring);
+          if (const auto* material = material_of_part(parameters_, *b, path.part);
               material && material->temperature_limit)
             rows.looks.push_back({add("temperature", entry.name,
                                       fmt::format("{} ({})", path.part, mark_of(path.model, parameters_.thermal)),

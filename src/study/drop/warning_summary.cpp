@@ -150,6 +150,10 @@ std::vector<RunWarning> warnings_in_summary(const MachineParameters& p, const Dr
       if (ring && ring->temperature_limit && std::isfinite(rub.stated.time))
         warn("local-temperature", b.name, "bore", p.run.ambient + rub.stated.bore, *ring->temperature_limit,
              rub.stated.time);
+      const auto& own = touchdown_of(p, b.name).journal;
+      const auto* journal = own ? find_material(p, *own) : nullptr;
+      if (journal && journal->temperature_limit && std::isfinite(rub.stated.time))
+        warn("local-temperature", b.name, "rotor", p.run.ambient + rub.stated.rotor, *journal->temperature_limit);
       warn("wear", b.name, "bore", rub.wear.bore_depth, p.contact.wear_depth_limit);
       warn("wear", b.name, "rotor", rub.wear.rotor_depth, p.contact.wear_depth_limit);
     }

@@ -99,10 +99,11 @@ void check_skidding(Checks& checks, const Json& summary, const std::string& name
                     is_rolling ? "" : ", although cage = \"rolling\" assumes pure rolling"));
   const double pivoting = number_at(summary, key + "/gyroscopic/largest_demand");
   if (pivoting > 0.)
-    checks.add(name + ": gyroscopic pivoting of balls", pivoting <= 1.,
-               fmt::format("gyroscopic moments require up to {:.3g} times the available friction at the outer raceway "
-                           "and exceed it for {:.4g} ms",
-                           pivoting, 1e3 * number_at(summary, key + "/gyroscopic/time_beyond")));
+    checks.add(
+        name + ": gyroscopic pivoting of balls", pivoting <= 1.,
+        fmt::format("gyroscopic moments require up to {:.3g} times the available friction at the raceway that needs "
+                    "more of it, and exceed it for {:.4g} ms",
+                    pivoting, 1e3 * number_at(summary, key + "/gyroscopic/time_beyond")));
 }
 
 /// Where contact ellipses leave the raceway, and what balls without inertia leave out.
@@ -159,15 +160,25 @@ void check_local_temperature(Checks& checks, const RecordedDrop& drop, const Jso
   const std::string verdict = ambient + rise >= limit   ? "above"
                               : ambient + high >= limit ? "below, but the upper bound is above,"
                                                         : "below";
-  const std::string text = fmt::format(
+  std::string text = fmt::format(
       "the bore reaches {:.0f} K ({}) at {:.4g} ms, bounds {:.0f} to {:.0f} K (moving heat band, lasting some "
       "milliseconds); {} the {:.0f} K ({}) up to which its material is dimensionally stable",
       ambient + rise, in_celsius(ambient + rise), time * 1e3, ambient + low, ambient + high, verdict, limit,
       in_celsius(limit));
-  if (ambient + rise < limit && ambient + high >= limit)
+  const double rotor = ambient + number_at(summary, key + "rotor_rise"),
+               limit_of_rotor = b.journal ? temperature_limit(drop, *b.journal) : std::nan("");
+  if (std::isfinite(limit_of_rotor))
+    text += fmt::format("; the rotor reaches {:.0f} K ({}), {} the {:.0f} K of {}", rotor, in_celsius(rotor),
+                        rotor >= limit_of_rotor ? "above" : "below", limit_of_rotor, *b.journal);
+  const bool is_above = ambient + rise >= limit || rotor >= limit_of_rotor;
+  if (is_above)
+    checks.add(title, false, text);
+  else if (is_on_shoulder(summary, name))
+    checks.unknown(title, "not assessed: " + text + "; temperatures where a shoulder rubs are not computed");
+  else if (ambient + high >= limit)
     checks.uncertain(title, text);
   else
-    checks.add(title, ambient + rise < limit, text);
+    checks.add(title, true, text);
 }
 
 void check_wear(Checks& checks, const Json& summary, const std::string& name) {
@@ -199,12 +210,14 @@ void check_wear(Checks& checks, const Json& summary, const std::string& name) {
 
 void check_temperatures(Checks& checks, const RecordedDrop& drop, const std::string& name,
                         const TouchdownParameters& b) {
-  const std::string title = name + ": mean temperature of rings and balls";
+  const std::string title = name + ": mean temperature of rings and balls" + (b.journal ? " and rotor" : "");
   std::string text, without_limit;
   bool is_below = true;
-  for (const auto& [part, nodes, material] :
-       {std::tuple("rings", std::vector<std::string>{"inner_ring", "outer_ring"}, b.ring),
-        std::tuple("balls", std::vector<std::string>{"ball"}, b.ball)}) {
+  std::vector<std::tuple<const char*, std::vector<std::string>, std::string>> parts = {
+      {"rings", {"inner_ring", "outer_ring"}, b.ring}, {"balls", {"ball"}, b.ball}};
+  // Others are reckoned with the ring's material, whatever they are of.
+  if (b.journal) parts.push_back({"rotor", {"shaft"}, *b.journal});
+  for (const auto& [part, nodes, material] : parts) {
     double warmest = 0.;
     for (const auto& node : nodes)
       for (const ThermalKind* kind : drop.models())
