@@ -36,7 +36,7 @@ constexpr std::array rules{
     Rule{"mean_contact_force_end", "N", "mean contact force in the bore over the last 50 ms"},
     Rule{"contact.peak_contact_force", "N", "peak contact force at the probe"},
     Rule{"peak_contact_force", "N", "peak contact force in the bore"},
-    Rule{"first_bounce_apex", "m", "highest position between first and second contact"},
+    Rule{"first_bounce_apex", "m", "highest position between first and second contact, if gravity is along -y"},
     Rule{"peak_friction_heat_rate", "W", "peak rub heat rate"},
     Rule{"friction_heat", "J", "rub heat"},
     Rule{"inner_heat", "J", "bearing friction heat at the inner raceway"},

@@ -116,6 +116,7 @@ DropSummary summarise(const Case& drop_case, const Machine& machine, const DropS
   const ThermalKind* meshing = section_kind(p.thermal);
   for (std::size_t i = 0; i < scalars.size(); ++i) {
     BearingSummary b = followed(machine, scalars, i, result);
+    b.is_up_along_y = p.run.gravity[1] < 0. && p.run.gravity[2] == 0.;
     b.rises = rises_of(machine, observed, b.name, p.run.ambient);
     if (elements && meshing)
       for (const auto& section : elements->sections)
@@ -138,8 +139,8 @@ DropSummary summarise(const Case& drop_case, const Machine& machine, const DropS
   }
   s.probes = probe_summaries(machine, scalars.probes(), y);
   s.rotor_speed_end = machine.spin(y).speed;
-  s.mechanical_initial = machine.initial_mechanical_energy();
   s.tilt_end = tilt_of_ends(machine, p.rotor.geometry, y);
+  s.mechanical_initial = machine.initial_mechanical_energy();
   s.energy = machine.energy_balance(result.end_time, y, found.growth_in_force);
   s.has_windage = machine.rotor().has_windage();
   for (std::size_t k = 0; k < machine.n_thermal_models(); ++k) {

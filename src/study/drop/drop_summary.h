@@ -25,6 +25,7 @@ struct BearingSummary {
   BearingScalars scalars;             ///< peaks and instants, followed at every step
   std::size_t n_rows = 0;             ///< of balls
   bool is_free = false;               ///< the inner ring takes axial loads from the rotor
+  bool is_up_along_y = true;          ///< gravity across the axis is along -y
   bool is_inertial = false;           ///< the balls have inertia
   double friction_heat = 0;           ///< of rotor and ring [J]
   double inner_heat = 0;              ///< of balls and inner race [J]
@@ -63,8 +64,8 @@ struct DropSummary {
   std::vector<BearingSummary> bearings;
   std::vector<ProbeSummary> probes;
   double rotor_speed_end = 0;     ///< [rad/s]
-  double ambient = 0;             ///< [K]; 0: of a summary that does not tell it
   double tilt_end = 0;            ///< of the rotor's end that is tilted more [rad]
+  double ambient = 0;             ///< [K]; 0: of a summary that does not tell it
   double mechanical_initial = 0;  ///< energy at the start [J]
   EnergyBalance energy;           ///< at the end; `heat` of `heat_models`
   bool has_windage = false;

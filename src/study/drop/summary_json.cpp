@@ -38,7 +38,7 @@ Json bearing_json(const BearingSummary& b) {
   j["second_contact_time"] = json_number(s.second_contact_time);
   j["peak_contact_force"] = json_number(s.contact_force.value);
   j["peak_contact_force_time"] = json_number(s.contact_force.time);
-  j["first_bounce_apex"] = json_number(first_bounce_apex(s));
+  j["first_bounce_apex"] = b.is_up_along_y ? json_number(first_bounce_apex(s)) : Json(nullptr);
   j["peak_friction_heat_rate"] = json_number(s.friction_heat_rate.value);
   j["friction_heat"] = b.friction_heat;
   j["inner_heat"] = b.inner_heat;
