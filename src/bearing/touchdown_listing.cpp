@@ -88,7 +88,9 @@ std::vector<Observable> TouchdownBearing::observables() const {
        {},
        Observed::spin_lag},
       {"bearing_force", "N", "resultant of the ball forces on the inner ring", 2, yz},
-      {"ball_force", "N", "load of the most loaded ball of each row", rows_.size(), row_names, Observed::ball_force},
+      {"ball_force", "N",
+       "load of the most loaded ball of each row; with ball_model = \"inertial\" that of the inner race", rows_.size(),
+       row_names, Observed::ball_force},
       {"contact_pressure", "Pa", "largest pressure of balls and races in each row", rows_.size(), row_names,
        Observed::contact_pressure},
       {"ring_speed", "rad/s", "inner-ring spin speed", 1, {}, Observed::ring_speed},
@@ -120,8 +122,8 @@ std::vector<Observable> TouchdownBearing::observables() const {
        "traction that rolling and gyroscopic moments require of the row, divided by the available friction",
        rows_.size(), row_names, Observed::skid_demand},
       {"gyroscopic_demand", "1",
-       "traction that a ball's gyroscopic moment asks of the outer race, over what friction gives", rows_.size(),
-       row_names, Observed::gyroscopic_demand}};
+       "traction that a ball's gyroscopic moment asks of the race where it asks more, over what friction gives",
+       rows_.size(), row_names, Observed::gyroscopic_demand}};
   if (data_.free_ring)
     list.insert(
         list.end(),

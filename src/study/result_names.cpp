@@ -48,7 +48,7 @@ constexpr std::array rules{
     Rule{"ring_speed_end", "rad/s", "spin speed of the inner ring at the end"},
     Rule{"load_torque_peak", "N m", "largest load-dependent friction torque"},
     Rule{"spin_torque_peak", "N m", "largest spin moment of a ball on the inner raceway"},
-    Rule{"largest_ball_force", "N", "largest ball load"},
+    Rule{"largest_ball_force", "N", "largest ball load, of balls with inertia at the inner raceway"},
     Rule{"largest_contact_pressure", "Pa", "largest contact pressure of balls and raceways"},
     Rule{"required_static_safety", "1", "static safety that a repeated drop needs"},
     Rule{"fatigue.share", "1", "share of the bearing's fatigue life L10 that one drop uses"},

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
 #include <nlohmann/json.hpp>
 
 #include "base/rotation.h"
@@ -17,6 +18,28 @@ namespace rotordrop {
 namespace {
 
 std::string ms(double time) { return std::isfinite(time) ? fmt::format("{:.4g} ms", time * 1e3) : "never"; }
+
+/// "5.29 kN", and of small machines "4.71 N". @param values  [N]; what is below 1 uN is roundoff
+std::string in_kilonewtons(std::initializer_list<double> values, const char* between = "") {
+  double largest = 0.;
+  for (const double value : values) largest = std::max(largest, std::fabs(value));
+  const bool is_small = largest > 1e-6 && largest < 100.;
+  std::string text;
+  for (const double value : values)
+    text +=
+        (text.empty() ? "" : between) + (is_small ? fmt::format("{:.3g}", value) : fmt::format("{:.2f}", value * 1e-3));
+  return text + (is_small ? " N" : " kN");
+}
+
+/// "924.2 J", and of small machines "0.0123 J".
+std::string in_joules(double heat, int digits) {
+  const double least = 10. * std::pow(10., -digits);  // below it two digits would not be left
+  return heat != 0. && std::fabs(heat) < least ? fmt::format("{:.3g} J", heat) : fmt::format("{:.{}f} J", heat, digits);
+}
+
+std::string in_kilowatts(double rate) {
+  return rate != 0. && std::fabs(rate) < 1e3 ? fmt::format("{:.3g} W", rate) : fmt::format("{:.1f} kW", rate * 1e-3);
+}
 
 /// "1.23 K inner ring (21.4 degC), 0.45 K shaft (20.6 degC)": of the bodies that a model has. @param ambient  [K]; 0: unknown
 std::string rises_text(const BearingSummary::Rises& rises, double ambient) {
@@ -54,20 +77,19 @@ std::string all_rises_text(const BearingSummary& b, double ambient) {
 std::string bearing_text(const BearingSummary& b, double ambient) {
   const BearingScalars& s = b.scalars;
   const std::size_t indent = b.name.size() + 2;
-  std::string text = fmt::format(
-      "{}: first contact {}, peak contact force {}{:.2f} kN, rub heat {:.1f} J (peak {:.1f} kW)\n", b.name,
-      b.shoulder
-          ? fmt::format("in the bore {}, on a shoulder {}", ms(s.first_contact_time), ms(s.first_shoulder_contact_time))
-          : ms(s.first_contact_time),
-      b.shoulder ? "in the bore " : "", s.contact_force.value * 1e-3, b.friction_heat,
-      s.friction_heat_rate.value * 1e-3);
+  std::string text = fmt::format("{}: first contact {}, peak contact force {}{}, rub heat {} (peak {})\n", b.name,
+                                 b.shoulder ? fmt::format("in the bore {}, on a shoulder {}", ms(s.first_contact_time),
+                                                          ms(s.first_shoulder_contact_time))
+                                            : ms(s.first_contact_time),
+                                 b.shoulder ? "in the bore " : "", in_kilonewtons({s.contact_force.value}),
+                                 in_joules(b.friction_heat, 1), in_kilowatts(s.friction_heat_rate.value));
   text += fmt::format("{:{}}ring speed {:.0f} rpm at the end, spin-up complete: {}; mean temperature rise {}\n", "",
                       indent, s.ring_speed_end * to_rpm, ms(s.catch_up_time), all_rises_text(b, ambient));
   if (b.local) text += local_text(b.name, *b.local, std::isfinite(b.scalars.first_shoulder_contact_time));
   if (b.damage) text += damage_text(*b.damage, indent);
   if (b.is_free)
-    text += fmt::format("{:{}}axial force on the ring {:.2f} to {:.2f} kN\n", "", indent, s.axial_force.smallest * 1e-3,
-                        s.axial_force.largest * 1e-3);
+    text += fmt::format("{:{}}axial force on the ring {}\n", "", indent,
+                        in_kilonewtons({s.axial_force.smallest, s.axial_force.largest}, " to "));
   if (b.shoulder) text += shoulder_text(shoulder_json(*b.shoulder), indent);
   if (b.support) text += support_text(b.name, *b.support);
   return b.whirl ? text + whirl_text(b.name, *b.whirl) : text;
@@ -96,9 +118,9 @@ std::string windows_text(const DropSummary::Windows& w) {
 
 std::string energy_text(const DropSummary& s) {
   const EnergyBalance& e = s.energy;
-  std::string text = fmt::format("Energy: {:.2f} J dissipated", e.dissipated);
-  if (s.has_windage) text += fmt::format(" ({:.2f} J by windage)", e.windage);
-  text += fmt::format(", residual {:.1e} J; heat {:.2f} J deposited", e.residual, e.heat_deposited);
+  std::string text = fmt::format("Energy: {} dissipated", in_joules(e.dissipated, 2));
+  if (s.has_windage) text += fmt::format(" ({} by windage)", in_joules(e.windage, 2));
+  text += fmt::format(", residual {:.1e} J; heat {} deposited", e.residual, in_joules(e.heat_deposited, 2));
   for (std::size_t k = 0; k < e.heat.size(); ++k) {
     const bool is_named = !s.heat_prefixes[k].empty() && s.heat_models[k];
     text += fmt::format(", {}residual {:.1e} J", is_named ? s.heat_models[k]->word + " " : "", e.heat[k].residual);

@@ -117,8 +117,8 @@ std::string sentence(const RunWarning& w) {
         w.part.empty() ? "" : " of " + w.part, w.duration * 1e3, 100. * w.worst);
   if (code == "pivoting")
     return fmt::format(
-        "balls may pivot: their gyroscopic moments require up to {:.3g} times the available friction at the outer "
-        "raceway and exceed it for {:.4g} ms",
+        "balls may pivot: their gyroscopic moments require up to {:.3g} times the available friction at the "
+        "raceway that needs more of it, and exceed it for {:.4g} ms",
         w.worst, w.duration * 1e3);
   if (code == "centrifugal-force")
     return fmt::format(

@@ -74,6 +74,21 @@ std::string wave_words(const std::string& name, const std::vector<WavinessParame
   return text.empty() ? "" : fmt::format("Waves around {}, number and amplitude: {}.", name, text);
 }
 
+/// "Coulomb's law, smoothed below 0.05 m/s"
+std::string words_of_friction(const MachineParameters& p) {
+  const auto& c = p.contact;
+  const std::string law = c.friction_over_speed ? "a table over slip speed"
+                          : c.static_friction_coefficient
+                              ? fmt::format("Stribeck's law, from {:.3g} at rest to {:.3g} over {:.3g} m/s of slip",
+                                            *c.static_friction_coefficient, c.friction_coefficient, c.stribeck_speed)
+                              : "Coulomb's law";
+  const bool sticks = c.friction_law == FrictionLaw::sticking ||
+                      (c.friction_law == FrictionLaw::automatic && p.rotor.axial_motion == AxialFreedom::free);
+  return law + (sticks
+                    ? fmt::format(", and sticks before it slips, elastically with {:.3g} N/m", c.tangential_stiffness)
+                    : fmt::format(", smoothed below {:.3g} m/s", c.regularisation_speed));
+}
+
 }  // namespace
 
 Json report_words(const RecordedDrop& drop) {
@@ -114,6 +129,9 @@ Json report_words(const RecordedDrop& drop) {
         over_speed
             ? fmt::format("given over slip speed, {:.3g} at {:.3g} m/s to {:.3g} at {:.3g} m/s", over_speed->front()[1],
                           over_speed->front()[0], over_speed->back()[1], over_speed->back()[0])
+        : p.contact.static_friction_coefficient
+            ? fmt::format("{:.3g} at rest and {:.3g} at high slip speeds", *p.contact.static_friction_coefficient,
+                          p.contact.friction_coefficient)
             : fmt::format("{:.3g}", p.contact.friction_coefficient),
         p.contact.friction_over_temperature ? ", times a factor over the inner ring's mean temperature" : ""));
     words.push_back(fmt::format("Thermal models: {}. The clearances follow {}.", words_of_models(p.thermal),
@@ -135,8 +153,8 @@ Json report_assumptions(const RecordedDrop& drop) {
   if (drop.bearings().empty()) return list;
   list.push_back(
       fmt::format("Contact between rotor and inner ring follows a Hunt-Crossley law with exponent {:.4g} (never "
-                  "tensile); friction follows Coulomb's law, smoothed below {:.3g} m/s.",
-                  p.contact.exponent, p.contact.regularisation_speed));
+                  "tensile); friction follows {}.",
+                  p.contact.exponent, words_of_friction(p)));
   const auto bearings = drop.bearings();
   if (std::any_of(bearings.begin(), bearings.end(), [](const auto& bearing) { return bearing.second.shoulders.any(); }))
     list.push_back(

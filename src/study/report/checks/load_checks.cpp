@@ -57,7 +57,9 @@ void check_load(Checks& checks, const RecordedDrop& drop, const std::string& nam
     const auto magnitudes = drop.has(path) ? drop.series(path).values : std::vector<double>{};
     double axial = 0.;
     for (const double value : magnitudes) axial = std::max(axial, std::fabs(value));
-    if (axial > largest && largest < b.C0)
+    if (std::max(axial, largest) < 1e-9 * b.C0)  // roundoff
+      checks.add(title, true, fmt::format("no load in the recorded samples; C0 = {:.4g} kN", b.C0 * 1e-3));
+    else if (axial > largest && largest < b.C0)
       checks.unknown(title, fmt::format("not assessed: C0 = {:.4g} kN is a radial rating, and the axial load of up to "
                                         "{:.4g} kN is larger than the radial one of up to {:.4g} kN. static_safety, "
                                         "that of the worst ball, has both",
@@ -65,9 +67,10 @@ void check_load(Checks& checks, const RecordedDrop& drop, const std::string& nam
     else
       checks.add(
           title, largest < b.C0,
-          fmt::format("largest radial load of the recorded samples {:.4g} kN, C0 = {:.4g} kN; their ratio is {:.3g}.{} "
+          fmt::format("largest radial load of the recorded samples {:.4g} kN, C0 = {:.4g} kN; their ratio is {}.{} "
                       "static_safety is that of the worst ball at every step, whose load the row does not share evenly",
-                      largest * 1e-3, b.C0 * 1e-3, b.C0 / largest,
+                      largest * 1e-3, b.C0 * 1e-3,
+                      largest > 1e-6 * b.C0 ? fmt::format("{:.3g}", b.C0 / largest) : std::string("above 1e+06"),
                       axial > 0. ? fmt::format(" The axial load, up to {:.4g} kN, is not in it.", axial * 1e-3) : ""));
   }
 }
