@@ -86,6 +86,19 @@ std::string why_no_drop(const std::string& name, const SummaryNumbers& told) {
              : "";
 }
 
+constexpr const char* over_the_edge = "contact ellipses reach over the raceway's edge";
+constexpr const char* on_shoulder = "the rotor rubs on a shoulder, whose wear is not computed";
+
+/// Why a number is missing.
+std::string why_no_value(const std::string& name, const SummaryNumbers& told) {
+  const std::string damage = bearing_of_result(name) + "damage.";
+  const auto is = [&](const char* what) { return told_value(told, damage + what) == 1.; };
+  const bool is_number_of_drops = name == damage + "allowed_drops";
+  if (is_number_of_drops && is("pressure_is_void")) return over_the_edge;
+  if ((is_number_of_drops || name == damage + "wear_share") && is("rubs_on_shoulder")) return on_shoulder;
+  return "no value";
+}
+
 /// A value that is not what it is called: the true one is higher or lower.
 struct Doubt {
   std::string why;  ///< empty: none
@@ -93,11 +106,11 @@ struct Doubt {
 };
 Doubt doubt_of(const std::string& name, const SummaryNumbers& told) {
   if ((is_pressure_or_safety(name) || is_fatigue_share(name)) && is_over_the_edge(name, told))
-    return {"contact ellipses reach over the raceway's edge", !name.ends_with(".static_safety")};
+    return {over_the_edge, !name.ends_with(".static_safety")};
   const std::string bearing = bearing_of_result(name);
   if (!bearing.empty() && name == bearing + "wear.drops_until_limit" &&
       told_value(told, bearing + "damage.rubs_on_shoulder") == 1.)
-    return {"the rotor rubs on a shoulder, whose wear is not computed", false};
+    return {on_shoulder, false};
   return {};
 }
 
@@ -123,7 +136,8 @@ bool is_needed_for_verdict(const std::string& name, const std::string& limited) 
   };
   const bool may_be_any = limited.ends_with("*");
   if (is_of(of_contact)) return true;
-  if (is_of(of_damage)) return may_be_any || limited.find("drops") != std::string::npos;
+  if (is_of(of_damage))
+    return may_be_any || limited.find("drops") != std::string::npos || limited.ends_with("wear_share");
   return name.ends_with(".truncation") && (may_be_any || is_pressure_or_safety(limited) || is_fatigue_share(limited));
 }
 
@@ -132,7 +146,7 @@ LimitVerdict verdict_on(const Limit& limit, bool is_max, double value, const Sum
   if (is_without_contact(told)) return {{}, "the rotor touched nothing"};
   const std::string no_drop = why_no_drop(name, told);
   if (!std::isfinite(value) && has_no_end(name, told)) value = std::numeric_limits<double>::infinity();
-  if (std::isnan(value)) return {{}, no_drop.empty() ? "no value" : no_drop};
+  if (std::isnan(value)) return {{}, no_drop.empty() ? why_no_value(name, told) : no_drop};
   const bool is_kept = is_max ? value <= *limit.max : value >= *limit.min;
   if (is_kept && !no_drop.empty()) return {{}, no_drop};  // what is broken already stays so
   const Doubt doubt = doubt_of(name, told);

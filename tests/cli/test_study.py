@@ -367,7 +367,8 @@ kind = "list"
             self.assertEqual(series.attrs["units"], "N")
             self.assertEqual(series.shape, times.shape)
             self.assertGreater(series[:].max(), 100)
-            self.assertEqual(set(h5["/results"]), {"bearings.TB1.friction_heat", "bearings.TB2.friction_heat", "bearings.TB1.peak_contact_force", "bearings.TB2.peak_contact_force", "bearings.TB1.first_touch_time", "bearings.TB2.first_touch_time", "peak"})
+            self.assertEqual(set(h5["/results"]), {"bearings.TB1.friction_heat", "bearings.TB2.friction_heat", "bearings.TB1.peak_contact_force", "bearings.TB2.peak_contact_force", "bearings.TB1.first_touch_time", "bearings.TB2.first_touch_time",
+                                                    "bearings.TB1.ends_in_first_contact", "bearings.TB2.ends_in_first_contact", "peak"}, "with what tells whether the limit is assessed")
 
     def test_entries_of_lists_are_set_on_the_command_line_too(self):
         import tomllib

@@ -66,6 +66,8 @@ TEST(LimitVerdict, KnowsToWhichSideVoidNumbersAreOff) {
   EXPECT_EQ(keeps_min("bearings.A.wear.drops_until_limit", 6519., 10., shoulder), std::nullopt);
   EXPECT_EQ(keeps_min("bearings.A.wear.drops_until_limit", 6., 10., shoulder), false);
   EXPECT_EQ(keeps_max("bearings.A.wear.bore_depth", 1e-6, 1e-5, shoulder), true) << "it is of the bore";
+  EXPECT_EQ(verdict_on(limit_on("bearings.A.damage.wear_share", 1., {}), true, never_happened, shoulder).why,
+            "the rotor rubs on a shoulder, whose wear is not computed");
 }
 
 TEST(LimitVerdict, HoldsAnyNumberOfDropsWhereNoLimitOfThemWasFound) {
