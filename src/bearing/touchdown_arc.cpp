@@ -139,7 +139,7 @@ TouchdownBearing::Contact TouchdownBearing::contact_over_arc(const SupportInput&
                                                              std::span<const double> y, const Bodies& at, double share,
                                                              std::span<double> forces) const {
   Contact c;
-  const double distance = std::sqrt(at.y * at.y + at.z * at.z);
+  const double distance = std::sqrt(at.y * at.y + at.z * at.z);  // e_r, eq. (9)
   c.distance = distance;
   c.n_y = distance > 0. ? at.y / distance : -1.;
   c.n_z = distance > 0. ? at.z / distance : 0.;
@@ -148,6 +148,7 @@ TouchdownBearing::Contact TouchdownBearing::contact_over_arc(const SupportInput&
   c.centres_turning = distance > 0. ? c.tangential_speed / distance : 0.;
   const double surfaces = in.rotor_spin.speed * data_.rotor_radius - y[ring_spin] * data_.bore_radius;
   c.slip_speed = surfaces + c.tangential_speed;
+  // eq. (8), corrected: a warm ring opens the gap
   const double gap = data_.air_gap + growth.bore - growth.shaft;
   const double bound = farthest_bend(y);
   c.penetration = distance + bound - gap;  // a bound for rotors that are clear of the bore

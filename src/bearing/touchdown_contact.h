@@ -49,6 +49,7 @@ template <bool tilts, class Real>
   Real mu = q.friction.largest(data_.friction.has_stribeck, slip_squared);
   if constexpr (has_all<Real>)
     if (data_.friction.has_tables) mu = data_.friction.from_tables(mu, slip_squared, in.ring_temperature);
+  // eq. (10) of Neisi 2019, regularised and along the slip
   const Real per_slip = q.friction.regularised(mu, slip_squared) * c.normal;
   c.friction = per_slip * c.slip_speed;
   if constexpr (tilts) c.friction_x = per_slip * c.slip_x;
@@ -74,7 +75,7 @@ template <bool tilts, class Real>
     const TouchdownFormulas<Real>& q, const SupportInputOf<Real>& in, const ExpansionOf<Real>& growth,
     std::span<const Real> y, const BodiesOf<Real>& at) const {
   ContactOf<Real> c;
-  const Real distance = sqrt(at.y * at.y + at.z * at.z);
+  const Real distance = sqrt(at.y * at.y + at.z * at.z);  // e_r, eq. (9)
   // Concentric rings have no direction; they do not touch either.
   const auto is_apart = distance > 0.;
   c.n_y = select(is_apart, at.y / distance, Real(-1.));
@@ -84,6 +85,7 @@ template <bool tilts, class Real>
   c.tangential_speed = at.vz * c.n_y - at.vy * c.n_z;
   c.centres_turning = select(is_apart, c.tangential_speed / distance, Real(0.));
   c.slip_speed = in.rotor_spin.speed * q.rotor_radius - y[ring_spin] * q.bore_radius + c.tangential_speed;
+  // eq. (8), corrected: a warm ring opens the gap
   c.penetration = distance - (q.air_gap + growth.bore - growth.shaft);
   if (!q.bore_waves.empty()) {
     const BoreWavesAtPointOf<Real> waves = bore_waves_at(q, y, c.n_y, c.n_z, c.centres_turning);
@@ -103,6 +105,7 @@ template <bool tilts, class Real>
   // Written so that a penetration that is not a number goes on into the force and is found.
   const auto is_touching = !(c.penetration <= 0.);
   if (!any(is_touching)) return c;
+  // eq. (7), corrected
   c.elastic = q.contact.elastic(c.penetration, q.contact_exponent);
   c.normal = q.contact.total(c.elastic, c.rate);
   c.damping = (c.normal - c.elastic) * c.rate;
@@ -148,7 +151,7 @@ template <bool tilts, class Real>
                   .elastic = slice.share * c.elastic,
                   .normal = normal,
                   .friction = friction,
-                  .rub_heat = friction * c.slip_speed - slice.share * c.stored_rate,
+                  .rub_heat = friction * c.slip_speed - slice.share * c.stored_rate,  // eq. (19)
                   .damping = slice.share * c.damping,
                   .wave_power = slice.share * c.wave_power,
                   .centres_power = friction * c.tangential_speed,

@@ -139,6 +139,7 @@ void TouchdownBearing::evaluate_with(const Of& of, const SupportInputOf<Real>& i
   Real M_spin = 0.;
   if constexpr (has_all<Real>)
     if (data_.add_spin_heat) M_spin = spin_drag(rows_in);
+  // eq. (20) of Neisi 2019, against the ring's spin in either direction
   const Real turning = tanh(ring_speed / q.drag_regularisation), M = (M_L + M_v + M_spin) * turning;
 
   // After the balls, whose sums and powers are waited for meanwhile.
@@ -173,6 +174,8 @@ void TouchdownBearing::evaluate_with(const Of& of, const SupportInputOf<Real>& i
   }
 
   out.heat.rub = t.rub_heat;
+  // eq. (24), corrected: the race's share by its radius, times M omega_i, the work that the ring loses, times 1; or times omega_b / omega_i where the heat
+  // is asked for as printed (internal_heat = "ball-speed").
   out.heat.inner = q.inner_heat_share * M * ring_speed * q.heat_over_work;
   out.heat.outer = (1. - q.inner_heat_share) * M * ring_speed * q.heat_over_work;
   out.heat.is_in_contact = t.is_touching;

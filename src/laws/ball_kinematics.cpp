@@ -21,11 +21,11 @@ double effective_spin_inertia(double ring_inertia, int n_balls, double ball_mass
 }
 
 double pitch_angle_outer_race_control(double phi_o, double d, double d_m) {
-  return std::atan2(std::sin(phi_o), std::cos(phi_o) + d / d_m);
+  return std::atan2(std::sin(phi_o), std::cos(phi_o) + d / d_m);  // eq. (14)
 }
 
 SpinSpeeds spin_speeds(double ring_speed, double phi_i, double phi_o, double theta, double d, double d_m) {
-  // Rolling without slip at both contact centres of a ball whose axis is pitched by theta, relative to the cage:
+  // Eq. (15), corrected. Rolling without slip at both contact centres of a ball whose axis is pitched by theta, relative to the cage:
   //   omega_co (d_m + d cos phi_o) = omega_b d cos(phi_o - theta),
   //   omega_ci (d_m - d cos phi_i) = omega_b d cos(phi_i - theta),   omega_ci + omega_co = omega_i.
   const double outer_over_b = d * std::cos(phi_o - theta) / (d_m + d * std::cos(phi_o));
@@ -33,6 +33,7 @@ SpinSpeeds spin_speeds(double ring_speed, double phi_i, double phi_o, double the
   const double omega_b = ring_speed / (outer_over_b + inner_over_b);
   const double omega_co = omega_b * outer_over_b;
   const double omega_ci = omega_b * inner_over_b;
+  // eq. (13), corrected
   return {omega_ci * std::sin(phi_i) + omega_b * std::sin(phi_i - theta),
           omega_co * std::sin(phi_o) - omega_b * std::sin(phi_o - theta)};
 }

@@ -10,6 +10,7 @@ RaceSurfaces contact_point_surfaces(double d, double d_m, double phi, double wid
 }
 
 GrowthPerRise growth_per_rise(const GrowthDimensions& d, double constraint) {
+  // Per mean rise: eqs. (26) and (27) of Neisi 2019 take the mean of a ring, eq. (25) is the ball's.
   const double alpha = constraint * d.ring_expansion;
   return {.bore = alpha * d.bore_radius,
           .inner_race = alpha * d.races.inner,

@@ -61,7 +61,7 @@ struct CoulombNumbers {
     return coefficient / sqrt(slip_speed_squared + regularisation_speed * regularisation_speed);
   }
 };
-/// Coulomb friction, regularised: mu(v) = mu v / sqrt(v^2 + v_reg^2), with an optional higher (or lower) value near
+/// Coulomb friction, eq. (10) of Neisi 2019, regularised: mu(v) = mu v / sqrt(v^2 + v_reg^2), with an optional higher (or lower) value near
 /// rest (Stribeck): mu = mu_d + (mu_s - mu_d) exp(-(v / v_s)^2); or mu from a table over slip speed. A table over temperature is a factor.
 struct CoulombFriction {
   double mu = 0;                    ///< dynamic friction coefficient, >= 0

@@ -7,7 +7,7 @@ namespace rotordrop {
 ///   u(r) = alpha r / [3 (a + b)] * [T_a (2a + b) + T_b (2b + a)],
 /// i.e. alpha r times the volume-mean rise: exact for the radii r = a and r = b and for a width (generalised plane stress; free rings),
 /// the mean growth for radii between. Under plane strain it is (1 + nu) times that.
-/// Source: Neisi 2019, eqs. (26), (27), with the lost factor 1/(a + b) restored.
+/// Source: Neisi 2019, eqs. (26) and (27), with the lost factor 1/(a + b) restored.
 /// The result is linear in the rises, so it is held as its two coefficients [m/K].
 struct RingGrowth {
   double per_rise_inside;   ///< du/dT_a [m/K]

@@ -126,11 +126,12 @@ RotorPowerOf<Real> ModalRotorInLanes<Real>::rates(const Real& t, std::span<const
   dydt[4 * n] = omega;
   dydt[4 * n + 1] = omega_rate;
 
-  // The unbalance vector turns with the spin; along it acts me omega^2, across it me omega'.
+  // eq. (1): w^2 Q_1. The unbalance vector turns with the spin; along it acts me omega^2, across it me omega'.
   const auto turned = sine_cosine(y[4 * n]);
   const Real along_cos = omega * omega * turned.cosine + omega_rate * turned.sine,
              along_sin = omega * omega * turned.sine - omega_rate * turned.cosine;
   Real unbalance_work = 0., damping = 0.;
+  // Eq. (1) of Neisi 2019 solved for the modes' accelerations, term by term; here w^2 Q_1 - C q' - K q, C and K being diagonal.
   for (std::size_t i = 0; i < n; ++i) {
     const Real unbalance_y = along_cos * unbalance_cos_[i] - along_sin * unbalance_sin_[i];
     const Real unbalance_z = along_sin * unbalance_cos_[i] + along_cos * unbalance_sin_[i];
@@ -143,7 +144,7 @@ RotorPowerOf<Real> ModalRotorInLanes<Real>::rates(const Real& t, std::span<const
       a_y += gravity_y_;
       a_z += gravity_z_;
     }
-    // The translation (mode 0) has no slope and so no gyroscopic term.
+    // eq. (1): - w G q'. The translation (mode 0) has no slope and so no gyroscopic term.
     Real turning_y = 0., turning_z = 0.;
     for (std::size_t j = 1; j < n; ++j) {
       turning_y += gyroscopic_[j * n + i] * v_z[j];
@@ -151,6 +152,7 @@ RotorPowerOf<Real> ModalRotorInLanes<Real>::rates(const Real& t, std::span<const
     }
     a_y -= omega * turning_y;
     a_z += omega * turning_z;
+    // eq. (1): Q_2, the forces and moments on the stations.
     const Real* per_force = force_influence_.data() + i;
     for (std::size_t s = 0; s < n_stations_; ++s, per_force += 2 * n) {
       const ForceOf<Real>& f = force_on_station[s];

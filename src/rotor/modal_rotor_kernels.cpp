@@ -60,6 +60,7 @@ struct ModalRotor::Kernels {
     const double *u_cos = rotor.unbalance_cos_.data(), *u_sin = rotor.unbalance_sin_.data();
     const double *c = rotor.damping_rate_.data(), *k = rotor.omega_squared_.data();
     std::array<Octet, n_vectors> a_y, a_z;
+    // Eq. (1) of Neisi 2019 solved for the modes' accelerations, term by term; here w^2 Q_1 - C q' - K q, C and K being diagonal.
     for (std::size_t b = 0; b < n_vectors; ++b) {
       const std::size_t from = first + b * vector_length, count = n - from;
       const Octet displacement_y = first_of(q_y + from, count), displacement_z = first_of(q_z + from, count);
@@ -82,12 +83,13 @@ struct ModalRotor::Kernels {
     const auto add = [](std::array<Octet, n_vectors>& to, double factor, const double* column) {
       for (std::size_t b = 0; b < n_vectors; ++b) add_product(to[b], factor, column + b * vector_length);
     };
-    // The translation (mode 0) has no slope and so no gyroscopic term.
+    // eq. (1): - w G q'. The translation (mode 0) has no slope and so no gyroscopic term.
     const double* G = rotor.gyroscopic_.data() + stride + first;
     for (std::size_t j = 1; j < n; ++j, G += stride) {
       add(a_y, -omega * v_z[j], G);
       add(a_z, omega * v_y[j], G);
     }
+    // eq. (1): Q_2, the forces and moments on the stations.
     const double* per_force = rotor.force_influence_.data() + first;
     for (std::size_t s = 0; s < rotor.n_stations_; ++s, per_force += 2 * stride) {
       const double* per_moment = per_force + stride;
@@ -130,7 +132,7 @@ struct ModalRotor::Kernels {
     dydt[4 * n] = omega;
     dydt[4 * n + 1] = omega_rate;
 
-    // The unbalance vector turns with the spin; along it acts me omega^2, across it me omega'.
+    // eq. (1): w^2 Q_1. The unbalance vector turns with the spin; along it acts me omega^2, across it me omega'.
     const auto [sine, cosine] = sine_cosine(spin_angle);
     const double along_cos = omega * omega * cosine + omega_rate * sine,
                  along_sin = omega * omega * sine - omega_rate * cosine;

@@ -93,6 +93,7 @@ BallRow::BallRow(const BallRowGeometry& geometry, const std::vector<RaceWave>& w
 }
 
 KernelInput BallRow::smooth_input(const BallRowInput& in) const {
+  // Growth of the ball's radius, eq. (25) of Neisi 2019, counts on both sides of it.
   return {row_place(numbers_, in, 2. * in.ball_growth),
           numbers_.stiffness_root,
           cosine_.data(),

@@ -171,7 +171,7 @@ struct RowNumbers {
 /// u_x the axial displacements of the contact points and g the growth of both groove radii (row_strains()), delta' being the ring's rate along the contact normal (B_r, B_x), without cage motion. The tilts' terms are those of u = psi x r with the
 /// one arm R_c, so the elastic forces are the gradient of an energy. With inertia and a turning ring each ball has its own balance
 /// (inertial_balls.h); F is then its load on the inner race, along the inner contact's normal, damped with the same beta.
-/// Corrects Neisi 2019, eqs. (2)-(6), (12); see docs/theory/model.md.
+/// Corrects Neisi 2019, eqs. (2)-(6), (12); see docs/theory/model.md. Each equation stands at its line in ball_terms.h.
 class BallRow {
  public:
   static constexpr int max_balls = most_balls;

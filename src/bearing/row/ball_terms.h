@@ -90,7 +90,8 @@ enum class GrooveMotion {
   all           ///< one that moves in all five ways
 };
 
-/// The penetration of a ball, where it is and how it changes.
+/// The penetration of a ball, where it is and how it changes. In the symbols of Neisi 2019 e_r^j and e_t^j are what the ring's displacements add to
+/// Br and Bx, distance is A + d - D_j, phi_j is in cos_phi and sin_phi, and delta is delta_tot^j.
 /// @tparam is_bent      of bent rings
 /// @param cosine, sine  of its azimuth, in the cage's frame
 /// @param added         to the penetration: waves, or what keeps an idle ball away
@@ -102,6 +103,7 @@ template <GrooveMotion motion, bool is_bent, class Real>
   BallTerms<Real> b;
   const Real &c = cosine, &s = sine;
   auto [e_y, e_z, v_y, v_z] = at_row<tilts>(in);
+  // eq. (2), its first tilt with the other sign: e_t
   Real Bx = in.axial, Bx_rate = 0., Bx_turn = 0.;
   if constexpr (tilts) {
     const auto &e = in.e, &v = in.v;
@@ -109,13 +111,14 @@ template <GrooveMotion motion, bool is_bent, class Real>
     Bx_rate = v.x + in.arm * (v.psi_y * s - v.psi_z * c);
     Bx_turn = in.arm * (e.psi_y * c + e.psi_z * s);
   }
+  // eq. (2): e_r
   Real Br = in.radial + e_y * c + e_z * s, Br_rate = v_y * c + v_z * s, Br_turn = e_z * c - e_y * s;
   if constexpr (is_bent) {
     Br += bent.width;
     Br_rate += bent.rate;
     Br_turn += bent.slope;
   }
-  Real distance;
+  Real distance;  // of the groove centres, eq. (3)
   if constexpr (motion == GrooveMotion::in_plane) {
     distance = abs(Br);
     b.cos_phi = select(Br < 0., Real(-1.), Real(1.));
@@ -123,10 +126,12 @@ template <GrooveMotion motion, bool is_bent, class Real>
   } else {
     const Real squared = Br * Br + Bx * Bx;
     distance = sqrt(squared);
+    // eq. (4)
     const Real inverse = distance * (1. / squared);
     b.cos_phi = Br * inverse;
     b.sin_phi = Bx * inverse;
   }
+  // eq. (5); with waves eq. (12)
   b.delta = larger(distance - (in.A - in.grown - added), Real(0.));
   b.rate = b.cos_phi * Br_rate;
   if constexpr (tilts) b.rate += b.sin_phi * Bx_rate;
@@ -135,7 +140,7 @@ template <GrooveMotion motion, bool is_bent, class Real>
   return b;
 }
 
-/// What its penetration makes of it: nothing where there is none.
+/// What its penetration makes of it: nothing where there is none. F is F_j of eq. (6), with damping.
 template <class Real>
 [[gnu::always_inline]] inline void press_ball(const RowPlaceOf<Real>& in, BallTerms<Real>& b) {
   b.root = sqrt(b.delta);

@@ -10,7 +10,7 @@
 
 namespace rotordrop {
 
-/// A sinusoidal deviation of a race: A sin(order * argument + phase), positive means more penetration (eqs. 11, 12).
+/// A sinusoidal deviation of a race: A sin(order * argument + phase), positive means more penetration (Neisi 2019, eq. (11) and in eq. (12)).
 struct RaceWave {
   bool on_inner_race = true;  ///< argument b_j - theta_i; on the outer race b_j
   int order = 1;              ///< m, >= 1

@@ -153,6 +153,7 @@ class Replay {
     return rises;
   }
 
+  /// Source: Archard (1953), Contact and rubbing of flat surfaces, J. Appl. Phys. 24, 981-988.
   [[nodiscard]] Wear wear() const {
     std::vector<double> on_ring(n_wear_cells, 0.), on_rotor(n_wear_cells, 0.);
     Wear w;

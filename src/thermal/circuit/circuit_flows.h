@@ -12,7 +12,7 @@ namespace rotordrop {
 /// How a resistor's flow depends on more than the difference of temperatures.
 enum class ResistorLaw {
   constant,            ///< q = (T_a - T_b) / R
-  housing_convection,  ///< q = h(T_a - T_b) area (T_a - T_b), eq. (16)
+  housing_convection,  ///< q = h(T_a - T_b) area (T_a - T_b), h by eq. (16) of Neisi 2019
   contact              ///< q = (T_a - T_b) / R while rotor and ring of `place` touch, else / R_apart
 };
 

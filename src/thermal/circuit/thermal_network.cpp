@@ -261,6 +261,7 @@ void ThermalNetwork::growth_rates(std::span<const double> rate, std::span<Expans
 }
 
 double ThermalNetwork::rates(std::span<const double> T, std::span<const HeatInput> heat, std::span<double> dydt) const {
+  // rho C V dT/dt = H_in - H_out of each node, eq. (17) of Neisi 2019. Its steps in time, eq. (18), are the integrator's here.
   const double lost = flows_.rates(T, data_.ambient, heat, dydt);
   return add_flows<double>(law_links_, rolling_, T, data_.ambient, heat, inverse_capacity_, dydt, lost);
 }
