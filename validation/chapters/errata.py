@@ -182,7 +182,7 @@ def chapter(plan, measures, folders):
 
     growth = reference["TB2"]["expansion_end"]
     eps_t = growth["ball_radius"] + (growth["inner_race"] - growth["outer_race"]) / 2 * math.cos(phi)
-    result.append(entry("eq. 28", "total interference, beside eqs. 3 to 5 that have the growth already", "a report only; adding it would count growth twice", FORMULA, "Growth would be counted twice in the preload.",
+    result.append(entry("eq. 28", "total interference, beside eqs. 3 to 5 that have the growth already", "not computed, as adding it would count growth twice", FORMULA, "Growth would be counted twice in the preload.",
                         [("eq. 28 at 0.3 s", 1e6 * eps_t, "um"), ("preload by the growth of 0.3 s, pair at rest", pair.preload_with(growth["inner_race"] - growth["outer_race"], growth["ball_radius"]), "N"),
                          ("with eq. 28 added once more", pair.preload_with(growth["inner_race"] - growth["outer_race"], growth["ball_radius"] + eps_t / 2), "N")],
                         f"counted twice, the pair's preload after 0.3 s is {shown(pair.preload_with(growth['inner_race'] - growth['outer_race'], growth['ball_radius'] + eps_t / 2), 3)} instead of {shown(pair.preload_with(growth['inner_race'] - growth['outer_race'], growth['ball_radius']), 3)} N"))
