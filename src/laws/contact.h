@@ -1,11 +1,11 @@
 #pragma once
 // Rotor surface against inner-ring bore: normal and friction law. Inlined: called once per bearing and right-hand side.
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <vector>
 
 #include "base/real.h"
+#include "base/table_value.h"
 
 namespace rotordrop {
 
@@ -32,16 +32,6 @@ struct HuntCrossleyOf {
   [[nodiscard]] Real energy(const Real& delta) const { return elastic(delta) * larger(delta, Real(0.)) / (n + 1.); }
 };
 using HuntCrossley = HuntCrossleyOf<double>;
-
-/// Value of a table of pairs [argument, value] with rising arguments: straight lines between them, constant outside.
-inline double table_value(const std::vector<std::array<double, 2>>& table, double x) {
-  const auto after = std::upper_bound(table.begin(), table.end(), x,
-                                      [](double a, const std::array<double, 2>& p) { return a < p[0]; });
-  if (after == table.begin()) return table.front()[1];
-  if (after == table.end()) return table.back()[1];
-  const auto& low = *(after - 1);
-  return low[1] + (x - low[0]) * ((*after)[1] - low[1]) / ((*after)[0] - low[0]);
-}
 
 /// The numbers of CoulombFriction, and its law without tables.
 template <class Real>

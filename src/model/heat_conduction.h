@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/table_value.h"
 #include "model/assembled_heat.h"
 #include "model/reduced_heat.h"
 #include "model/section_mesh.h"
@@ -29,17 +30,14 @@ class PropertyTable {
   [[nodiscard]] bool is_constant() const {
     return std::all_of(points_.begin(), points_.end(), [&](const auto& p) { return p[1] == points_.front()[1]; });
   }
-  [[nodiscard]] double value(double T) const {
-    if (T <= points_.front()[0]) return points_.front()[1];
-    if (T >= points_.back()[0]) return points_.back()[1];
-    const auto& [low, high] = interval(T);
-    return low[1] + (T - low[0]) * (high[1] - low[1]) / (high[0] - low[0]);
-  }
+  [[nodiscard]] double value(double T) const { return table_value(points_, T); }
   /// d value/dT; zero outside the points.
   [[nodiscard]] double slope(double T) const {
     if (T < points_.front()[0] || T >= points_.back()[0]) return 0.;
-    const auto& [low, high] = interval(T);
-    return (high[1] - low[1]) / (high[0] - low[0]);
+    const auto high =
+        std::upper_bound(points_.begin(), points_.end(), T, [](double x, const auto& p) { return x < p[0]; });
+    const auto low = high - 1;
+    return ((*high)[1] - (*low)[1]) / ((*high)[0] - (*low)[0]);
   }
   [[nodiscard]] const std::vector<std::array<double, 2>>& points() const { return points_; }
   /// Integral of the value from temperature a to b [value K], exact.
@@ -56,13 +54,7 @@ class PropertyTable {
   }
 
  private:
-  using Point = std::array<double, 2>;
-  [[nodiscard]] std::pair<const Point&, const Point&> interval(double T) const {
-    const auto high =
-        std::upper_bound(points_.begin(), points_.end(), T, [](double x, const Point& p) { return x < p[0]; });
-    return {*(high - 1), *high};
-  }
-  std::vector<Point> points_ = {{0., 0.}};
+  std::vector<std::array<double, 2>> points_ = {{0., 0.}};
 };
 
 /// A ring: rectangular, unless the problem has a mesh.

@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "base/rotation.h"
+#include "base/table_value.h"
 #include "base/wide_vectors.h"
 #include "rotor/modal_basis.h"
 #include "rotor/modal_energy.h"
@@ -30,16 +31,7 @@ double highest_frequency(const RotorSettings& settings) {
 
 }  // namespace
 
-double value_at(const TimeTable& table, double t) {
-  if (table.empty()) return 0;
-  if (t <= table.front()[0]) return table.front()[1];
-  if (t >= table.back()[0]) return table.back()[1];
-  const auto after = std::upper_bound(table.begin(), table.end(), t,
-                                      [](double time, const std::array<double, 2>& point) { return time < point[0]; });
-  const auto& [t1, v1] = *(after - 1);
-  const auto& [t2, v2] = *after;
-  return v1 + (v2 - v1) * (t - t1) / (t2 - t1);
-}
+double value_at(const TimeTable& table, double t) { return table.empty() ? 0. : table_value(table, t); }
 
 Motion straight_line(double x1, double y1, double z1, double x2, double y2, double z2, double x) {
   const double slope_y = (y2 - y1) / (x2 - x1), slope_z = (z2 - z1) / (x2 - x1);
@@ -115,7 +107,6 @@ ModalRotor::ModalRotor(const RotorGeometry& geometry, const RotorSettings& setti
   force_influence_.assign(2 * n_stations_ * filled_up(n), 0.);
   for (std::size_t s = 0; s < n_stations_; ++s) {
     lay_shape(station_nodes[s], s, station_shape_);
-    station_position_.push_back(geometry.position(station_nodes[s]));
     double* per_force = force_influence_.data() + 2 * s * filled_up(n);
     for (std::size_t k = 0; k < n; ++k) {
       per_force[k] = station_shape_.deflection(s, k) / body_.mass;
