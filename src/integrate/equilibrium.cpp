@@ -9,10 +9,12 @@
 #include <algorithm>
 #include <cmath>
 #include <exception>
+#include <memory>
 #include <optional>
 #include <vector>
 
 #include "base/errors.h"
+#include "integrate/sundials_memory.h"
 
 namespace rotordrop {
 namespace {
@@ -22,11 +24,7 @@ namespace {
 class Scaled {
  public:
   explicit Scaled(EquilibriumSystem& system)
-      : system_(system),
-        n_(system.size()),
-        scales_(system.scales().begin(), system.scales().end()),
-        x_(n_),
-        K_(n_ * n_) {
+      : system_(system), n_(system.size()), scales_(system.scales().begin(), system.scales().end()), x_(n_) {
     energy_ = system.force_scale() * scales_.front();
   }
   [[nodiscard]] std::size_t size() const { return n_; }
@@ -67,56 +65,55 @@ class Scaled {
  private:
   EquilibriumSystem& system_;
   std::size_t n_;
-  std::vector<double> scales_, x_, K_;
+  std::vector<double> scales_, x_;
   double energy_ = 1.;
 };
 
-/// KINSOL for one system: its memory, released again.
+struct KinsolDeleter {
+  void operator()(void* memory) const { KINFree(&memory); }
+};
+
+/// KINSOL for one system.
 class Kinsol {
  public:
-  Kinsol(Scaled& scaled, const EquilibriumOptions& options) : scaled_(scaled) {
+  Kinsol(Scaled& scaled, const EquilibriumOptions& options) : scaled_(scaled), context_(new_sundials_context()) {
     const auto n = static_cast<sunindextype>(scaled.size());
-    bool good = SUNContext_Create(nullptr, &context_) == 0;
-    u_ = N_VNew_Serial(n, context_);
-    ones_ = N_VNew_Serial(n, context_);
-    matrix_ = SUNDenseMatrix(n, n, context_);
-    solver_ = SUNLinSol_Dense(u_, matrix_, context_);
-    memory_ = KINCreate(context_);
-    N_VConst(1., ones_);
+    bool good = context_ != nullptr;
+    if (good) {
+      u_.reset(N_VNew_Serial(n, context_.get()));
+      ones_.reset(N_VNew_Serial(n, context_.get()));
+      matrix_.reset(SUNDenseMatrix(n, n, context_.get()));
+      solver_.reset(SUNLinSol_Dense(u_.get(), matrix_.get(), context_.get()));
+      memory_.reset(KINCreate(context_.get()));
+      N_VConst(1., ones_.get());
+    }
+    void* memory = memory_.get();
     const auto check = [&](int code) { good = good && code == 0; };
-    check(KINInit(memory_, residual, u_));
-    check(KINSetUserData(memory_, this));
+    check(KINInit(memory, residual, u_.get()));
+    check(KINSetUserData(memory, this));
     check(KINSetErrHandlerFn(
-        memory_, [](int, const char*, const char*, char*, void*) {}, nullptr));
-    check(KINSetLinearSolver(memory_, solver_, matrix_));
-    check(KINSetJacFn(memory_, jacobian));
-    check(KINSetMaxSetupCalls(memory_, 1));
-    check(KINSetFuncNormTol(memory_, options.tolerance));
-    check(KINSetScaledStepTol(memory_, 1e-14));
-    check(KINSetMaxNewtonStep(memory_, 1e4));
-    check(KINSetNumMaxIters(memory_, options.max_newton_steps));
+        memory, [](int, const char*, const char*, char*, void*) {}, nullptr));
+    check(KINSetLinearSolver(memory, solver_.get(), matrix_.get()));
+    check(KINSetJacFn(memory, jacobian));
+    check(KINSetMaxSetupCalls(memory, 1));
+    check(KINSetFuncNormTol(memory, options.tolerance));
+    check(KINSetScaledStepTol(memory, 1e-14));
+    check(KINSetMaxNewtonStep(memory, 1e4));
+    check(KINSetNumMaxIters(memory, options.max_newton_steps));
     if (!good) throw SolverError("KINSOL could not be set up");
   }
   Kinsol(const Kinsol&) = delete;
   Kinsol& operator=(const Kinsol&) = delete;
-  ~Kinsol() {
-    KINFree(&memory_);
-    SUNLinSolFree(solver_);
-    SUNMatDestroy(matrix_);
-    N_VDestroy(u_);
-    N_VDestroy(ones_);
-    SUNContext_Free(&context_);
-  }
   /// @return steps taken; u is left at the better of start and end
   long solve(Eigen::VectorXd& u) {
     const double before = scaled_.residual(u);
-    std::copy(u.data(), u.data() + u.size(), NV_DATA_S(u_));
-    KINSol(memory_, u_, KIN_LINESEARCH, ones_, ones_);
+    std::copy(u.data(), u.data() + u.size(), NV_DATA_S(u_.get()));
+    KINSol(memory_.get(), u_.get(), KIN_LINESEARCH, ones_.get(), ones_.get());
     if (exception_) std::rethrow_exception(exception_);
-    const Eigen::VectorXd end = Eigen::Map<Eigen::VectorXd>(NV_DATA_S(u_), u.size());
+    const Eigen::VectorXd end = Eigen::Map<Eigen::VectorXd>(NV_DATA_S(u_.get()), u.size());
     if (scaled_.residual(end) < before) u = end;
     long steps = 0;
-    KINGetNumNonlinSolvIters(memory_, &steps);
+    KINGetNumNonlinSolvIters(memory_.get(), &steps);
     return steps;
   }
 
@@ -147,11 +144,11 @@ class Kinsol {
   }
 
   Scaled& scaled_;
-  SUNContext context_ = nullptr;
-  N_Vector u_ = nullptr, ones_ = nullptr;
-  SUNMatrix matrix_ = nullptr;
-  SUNLinearSolver solver_ = nullptr;
-  void* memory_ = nullptr;
+  OwnedContext context_;
+  OwnedVector u_, ones_;
+  OwnedMatrix matrix_;
+  OwnedLinearSolver solver_;
+  std::unique_ptr<void, KinsolDeleter> memory_;
   std::exception_ptr exception_;
 };
 

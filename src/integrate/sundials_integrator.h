@@ -51,7 +51,7 @@ class SundialsIntegrator : public Integrator {
       error = problem_.weighted_error(memory_, library_.get_local_errors, library_.get_error_weights);
     double step = 0.;
     library_.get_current_step(memory_, &step);
-    problem_.fail(code, time_, step, error);
+    problem_.fail(time_, step, error);
   }
 
   void interpolate(double t, std::span<double> y) const override {

@@ -8,24 +8,17 @@
 
 namespace rotordrop {
 SundialsProblem::SundialsProblem(const OdeSystem& system, std::span<const double> state, double tolerance)
-    : system_(system), n_(system.layout().size()) {
-  if (SUNContext_Create(nullptr, &context_) != 0) throw SolverError("SUNDIALS could not be started");
-  state_ = N_VNew_Serial(static_cast<sunindextype>(n_), context_);
-  use_vectorised_operations(state_);
-  tolerance_ = N_VClone(state_);
-  scratch_ = N_VClone(state_);
-  std::copy(state.begin(), state.end(), NV_DATA_S(state_));
+    : system_(system), n_(system.layout().size()), context_(new_sundials_context()) {
+  if (!context_) throw SolverError("SUNDIALS could not be started");
+  state_.reset(N_VNew_Serial(static_cast<sunindextype>(n_), context_.get()));
+  use_vectorised_operations(state_.get());
+  tolerance_.reset(N_VClone(state_.get()));
+  scratch_.reset(N_VClone(state_.get()));
+  std::copy(state.begin(), state.end(), NV_DATA_S(state_.get()));
   const auto& entries = system.layout().entries();
   for (std::size_t i = 0; i < n_; ++i)
     // Nothing depends on a quadrature: it follows the step that the others ask for.
-    NV_DATA_S(tolerance_)[i] = i < system.first_quadrature() ? tolerance * entries[i].scale : 1e30;
-}
-
-SundialsProblem::~SundialsProblem() {
-  N_VDestroy(state_);
-  N_VDestroy(tolerance_);
-  N_VDestroy(scratch_);
-  SUNContext_Free(&context_);
+    NV_DATA_S(tolerance_.get())[i] = i < system.first_quadrature() ? tolerance * entries[i].scale : 1e30;
 }
 
 int SundialsProblem::right_hand_side(realtype t, N_Vector y, N_Vector dydt, void* self) {
@@ -69,21 +62,19 @@ void SundialsProblem::check_finite(double t) const {
 }
 
 std::vector<double> SundialsProblem::weighted_error(void* memory, GetVector errors, GetVector weights) const {
-  N_Vector error = N_VClone(state_), weight = N_VClone(state_);
+  const OwnedVector error(N_VClone(state_.get())), weight(N_VClone(state_.get()));
   std::vector<double> product(n_);
-  if (errors(memory, error) == 0 && weights(memory, weight) == 0)
-    for (std::size_t i = 0; i < n_; ++i) product[i] = NV_DATA_S(error)[i] * NV_DATA_S(weight)[i];
-  N_VDestroy(error);
-  N_VDestroy(weight);
+  if (errors(memory, error.get()) == 0 && weights(memory, weight.get()) == 0)
+    for (std::size_t i = 0; i < n_; ++i) product[i] = NV_DATA_S(error.get())[i] * NV_DATA_S(weight.get())[i];
   return product;
 }
 
 void SundialsProblem::take_interpolated(int code, std::span<double> y) const {
   if (code != 0) throw SolverError("a time outside the last step was asked for");
-  std::copy_n(NV_DATA_S(scratch_), y.size(), y.begin());
+  std::copy_n(NV_DATA_S(scratch_.get()), y.size(), y.begin());
 }
 
-void SundialsProblem::fail(int, double t, double step, std::span<const double> weighted_error) const {
+void SundialsProblem::fail(double t, double step, std::span<const double> weighted_error) const {
   if (exception_) std::rethrow_exception(exception_);
   if (!bad_rates_.empty()) throw_rates_not_finite(system_.layout(), bad_rates_, t, step);
   throw_no_step(system_.layout(), t, step, weighted_error, message_);
