@@ -132,7 +132,7 @@ Place place_by_halving(const BallContacts& b, double B_x, double B_r, double gro
 }  // namespace
 
 BallBalance ball_balance(const BallContacts& b, double B_x, double B_r, double growth, double speed, double share) {
-  const double F_0 = 0.5 * share * b.mass * b.pitch_diameter * speed * speed;
+  const double F_0 = centrifugal_force(share * b.mass, b.pitch_diameter, speed);
   if (F_0 == 0.) return without_inertia(b, B_x, B_r, growth);
   Place p = starting_place(b, B_x, B_r, growth, F_0);
   Balance e = balance(b, p, B_x, B_r, growth, F_0);

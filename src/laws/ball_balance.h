@@ -24,6 +24,13 @@
 
 namespace rotordrop {
 
+/// F_c = m d_m omega_m^2 / 2 [N] of a ball that goes round the axis.
+/// @param mass m [kg]; @param pitch_diameter d_m [m]; @param orbit_speed omega_m [rad/s]
+template <class Real>
+[[nodiscard]] Real centrifugal_force(const Real& mass, const Real& pitch_diameter, const Real& orbit_speed) {
+  return 0.5 * mass * pitch_diameter * orbit_speed * orbit_speed;
+}
+
 /// Contacts and inertia of one ball.
 struct BallContacts {
   double K_i = 0, K_o = 0;            ///< load-deflection constants [N/m^1.5]

@@ -19,17 +19,9 @@ double radial_clearance(const RingStatics& ring) {
   const auto& around = ring.surroundings();
   double least = std::numeric_limits<double>::infinity();
   for (const auto& g : ring.rows()) {
-    const auto [inner, outer] = row_strains(g);
-    const auto strained = [&around, &inner = inner, &outer = outer](double GrooveStrain::*part) {
-      return around.inner_strain * inner.*part + around.outer_strain * outer.*part;
-    };
-    const double A = (g.inner_conformity + g.outer_conformity - 1.) * g.ball_diameter;
-    const double reach = A + strained(&GrooveStrain::groove) - 2. * around.ball_growth;
-    const double B_x =
-        g.direction * (A * std::sin(g.contact_angle) + g.preload_offset) + strained(&GrooveStrain::axial);
-    const double B_r =
-        A * std::cos(g.contact_angle) - g.radial_clearance + around.radial_growth + strained(&GrooveStrain::radial);
-    least = std::min(least, std::sqrt(std::max(reach * reach - B_x * B_x, 0.)) - B_r);
+    const GroovesOf<double> at = grown(groove_centres(g), row_strains(g), g.difference_share, around);
+    const double reach = at.A - 2. * around.ball_growth;
+    least = std::min(least, std::sqrt(std::max(reach * reach - at.axial * at.axial, 0.)) - at.radial);
   }
   return least;
 }

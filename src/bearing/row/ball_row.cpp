@@ -44,6 +44,13 @@ const RowKernels& row_kernels() {
   return chosen;
 }
 
+GroovesOf<double> groove_centres(const BallRowGeometry& g) {
+  const double A = (g.inner_conformity + g.outer_conformity - 1.) * g.ball_diameter;
+  return {A, A * std::cos(g.contact_angle) - g.radial_clearance,
+          g.direction * (A * std::sin(g.contact_angle) + g.preload_offset),
+          0.5 * g.pitch_diameter + (g.inner_conformity - 0.5) * g.ball_diameter * std::cos(g.contact_angle)};
+}
+
 RowStrains row_strains(const BallRowGeometry& g) {
   const double c = std::cos(g.contact_angle), s = g.direction * std::sin(g.contact_angle), x = g.position;
   const double groove_i = g.inner_conformity * g.ball_diameter, groove_o = g.outer_conformity * g.ball_diameter;
@@ -55,12 +62,7 @@ RowStrains row_strains(const BallRowGeometry& g) {
 BallRow::BallRow(const BallRowGeometry& geometry, const std::vector<RaceWave>& waves) : geometry_(geometry) {
   const auto& g = geometry_;
   if (g.n_balls > max_balls) throw std::invalid_argument("a row holds at most 256 balls");
-  const double A = (g.inner_conformity + g.outer_conformity - 1.) * g.ball_diameter;
-  auto& grooves = numbers_.grooves;
-  grooves.A = A;
-  grooves.radial = A * std::cos(g.contact_angle) - g.radial_clearance;
-  grooves.axial = g.direction * (A * std::sin(g.contact_angle) + g.preload_offset);
-  grooves.arm = 0.5 * g.pitch_diameter + (g.inner_conformity - 0.5) * g.ball_diameter * std::cos(g.contact_angle);
+  numbers_.grooves = groove_centres(g);
   numbers_.strains = row_strains(g);
   numbers_.position = g.position;
   numbers_.difference_share = g.difference_share;
@@ -75,9 +77,9 @@ BallRow::BallRow(const BallRowGeometry& geometry, const std::vector<RaceWave>& w
   numbers_.edges = {{g.inner, numbers_.stiffness_root}, {g.outer, numbers_.stiffness_root}};
   numbers_.inertial = inertial_row(g.inner.stiffness, g.outer.stiffness, (g.inner_conformity - 0.5) * g.ball_diameter,
                                    (g.outer_conformity - 0.5) * g.ball_diameter, g.ball_diameter / g.pitch_diameter,
-                                   g.inner_gyroscopic_share, grooves.axial, grooves.radial);
+                                   g.inner_gyroscopic_share, numbers_.grooves.axial, numbers_.grooves.radial);
   numbers_.load_edges = {{g.inner, 1.}, {g.outer, 1.}};
-  if (g.has_inertia) starts_ = shared_starts(numbers_.inertial, 0.5 * g.ball_mass * g.pitch_diameter);
+  if (g.has_inertia) starts_ = shared_starts(numbers_.inertial, centrifugal_force(g.ball_mass, g.pitch_diameter, 1.));
   const auto azimuth = [&](int j) { return g.phase + 2. * std::numbers::pi * j / g.n_balls; };
   std::vector<double> azimuths;
   for (int j = 0; j < g.n_balls; ++j) {
@@ -185,8 +187,8 @@ double BallRow::energy(const BallRowInput& in) const {
 double BallRow::offset_for_axial_load(const BallRowGeometry& g, double axial_load) {
   // Z K delta^1.5 sin phi = load in the offset x: delta = sqrt(B_r^2 + (A sin phi_0 + x)^2) - A. Monotonic: bracket, then bisect
   // until the interval no longer shrinks.
-  const double A = (g.inner_conformity + g.outer_conformity - 1.) * g.ball_diameter;
-  const double Br = A * std::cos(g.contact_angle) - g.radial_clearance;
+  const GroovesOf<double> grooves = groove_centres(g);
+  const double A = grooves.A, Br = grooves.radial;
   const auto load_at = [&](double x) {
     const double Bx = A * std::sin(g.contact_angle) + x;
     const double distance = std::hypot(Br, Bx);

@@ -10,6 +10,7 @@
 #include "bearing/row/ball_row_ports.h"
 #include "bearing/row/inertial_balls.h"
 #include "bearing/row/race_waves.h"
+#include "laws/ball_balance.h"
 #include "laws/skidding.h"
 
 namespace rotordrop {
@@ -91,6 +92,21 @@ template <class Real>
 struct GroovesOf {
   Real A, radial, axial, arm;  ///< A, A cos phi_0 - clearance, s (A sin phi_0 + offset), R_c
 };
+/// Of a row as mounted.
+GroovesOf<double> groove_centres(const BallRowGeometry& geometry);
+/// The same grown: what growth adds to the penetrations, (u_in - u_out) . n (laws/bearing_growth.h), in A, B_r and B_x; the ball's 2 eps_b is apart.
+/// @param difference_share  as in BallRowGeometry
+/// @param by                has radial_growth, row_difference, inner_strain and outer_strain of BallRowInput
+template <class Real, class Growth>
+GroovesOf<Real> grown(GroovesOf<Real> g, const RowStrainsOf<Real>& strains, const Real& difference_share,
+                      const Growth& by) {
+  const auto& [of_inner, of_outer] = strains;
+  g.A += by.inner_strain * of_inner.groove + by.outer_strain * of_outer.groove;
+  g.radial += by.radial_growth + difference_share * by.row_difference +
+              (by.inner_strain * of_inner.radial + by.outer_strain * of_outer.radial);
+  g.axial += by.inner_strain * of_inner.axial + by.outer_strain * of_outer.axial;
+  return g;
+}
 
 /// Raceways' edges as the tractions' sums need them. Beyond an edge lies 1/2 - r (sine cos phi - cosine |sin phi|) / (2 a) of the length 2 a, a = factor K^(1/3) root.
 template <class Real>
@@ -129,7 +145,7 @@ struct RowNumbers {
 
   /// F_0 = m d_m omega^2 / 2 [N]: the centrifugal force of a ball that would go round as fast as the ring.
   [[nodiscard]] Real inertia_force(const Real& ring_speed) const {
-    return 0.5 * ball_mass * pitch_diameter * ring_speed * ring_speed;
+    return rotordrop::centrifugal_force(ball_mass, pitch_diameter, ring_speed);
   }
   /// Below, the closed form of balls without inertia has the same digits; the balance would have none to work on [N].
   static constexpr double negligible_inertia_force = 1e-9;
@@ -141,18 +157,9 @@ struct RowNumbers {
     return {in.ball_growth - in.inner_strain * strains.inner.groove,
             in.ball_growth - in.outer_strain * strains.outer.groove};
   }
-  [[nodiscard]] GroovesOf<Real> grown(const BallRowInputOf<Real>& in) const {
-    const auto& [of_inner, of_outer] = strains;
-    GroovesOf<Real> g = grooves;
-    g.A += in.inner_strain * of_inner.groove + in.outer_strain * of_outer.groove;
-    g.radial += in.radial_growth + difference_share * in.row_difference +
-                (in.inner_strain * of_inner.radial + in.outer_strain * of_outer.radial);
-    g.axial += in.inner_strain * of_inner.axial + in.outer_strain * of_outer.axial;
-    return g;
-  }
   /// Centrifugal force of a ball at the cage's speed [N].
   [[nodiscard]] Real centrifugal_force(const BallRowInputOf<Real>& in) const {
-    return 0.5 * ball_mass * pitch_diameter * in.cage_speed * in.cage_speed;
+    return rotordrop::centrifugal_force(ball_mass, pitch_diameter, in.cage_speed);
   }
   /// dU/d(inner_strain) and dU/d(outer_strain) [J] of an evaluation.
   [[nodiscard]] std::pair<Real, Real> strain_gradient(const BallRowOutputOf<Real>& out) const {
@@ -205,7 +212,6 @@ class BallRow {
   [[nodiscard]] const InertialStarts* starts() const { return starts_.get(); }
 
  private:
-  using Grooves = GroovesOf<double>;
   /// @param waves, bent  space that what is returned may refer to
   [[nodiscard]] KernelInput kernel_input(const BallRowInput& input, WavesAtBalls& waves, Widening& bent) const;
   [[nodiscard]] KernelInput smooth_input(const BallRowInput& input) const;

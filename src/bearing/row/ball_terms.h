@@ -29,12 +29,12 @@ RingDisplacementOf<Real> seen_from_cage(const RingDisplacementOf<Real>& d, const
           d.psi_z * cosine - d.psi_y * sine};
 }
 
-/// @param grown  added to every delta
+/// @param of_balls  added to every delta
 template <class Real>
-RowPlaceOf<Real> row_place(const RowNumbers<Real>& row, const BallRowInputOf<Real>& in, const Real& grown) {
-  const GroovesOf<Real> g = row.grown(in);
+RowPlaceOf<Real> row_place(const RowNumbers<Real>& row, const BallRowInputOf<Real>& in, const Real& of_balls) {
+  const GroovesOf<Real> g = grown(row.grooves, row.strains, row.difference_share, in);
   const Real &C = in.cage_cosine, &S = in.cage_sine;
-  return {grown,
+  return {of_balls,
           g.A,
           g.radial,
           g.axial,
@@ -83,6 +83,21 @@ template <bool tilts, class Real>
   return at;
 }
 
+/// Displacement of the inner groove along the axis at a ball, or its rate: e_t of Neisi 2019, eq. (2), its first tilt with the other sign.
+/// @param d             the ring's displacement, in the cage's frame
+/// @param cosine, sine  of the ball's azimuth there
+template <class Real>
+[[gnu::always_inline]] inline Real axial_at_ball(const Real& arm, const RingDisplacementOf<Real>& d, const Real& cosine,
+                                                 const Real& sine) {
+  return d.x + arm * (d.psi_y * sine - d.psi_z * cosine);
+}
+/// Its derivative by the azimuth.
+template <class Real>
+[[gnu::always_inline]] inline Real axial_slope_at_ball(const Real& arm, const RingDisplacementOf<Real>& d,
+                                                       const Real& cosine, const Real& sine) {
+  return arm * (d.psi_y * cosine + d.psi_z * sine);
+}
+
 /// How a row's grooves can move against each other: what cannot happen is left out of the sums.
 enum class GrooveMotion {
   in_plane,  ///< a ring that only translates, its contact angles zero: the centres of both grooves stay in one plane (BallRow::is_radial())
@@ -103,13 +118,11 @@ template <GrooveMotion motion, bool is_bent, class Real>
   BallTerms<Real> b;
   const Real &c = cosine, &s = sine;
   auto [e_y, e_z, v_y, v_z] = at_row<tilts>(in);
-  // eq. (2), its first tilt with the other sign: e_t
   Real Bx = in.axial, Bx_rate = 0., Bx_turn = 0.;
   if constexpr (tilts) {
-    const auto &e = in.e, &v = in.v;
-    Bx += e.x + in.arm * (e.psi_y * s - e.psi_z * c);
-    Bx_rate = v.x + in.arm * (v.psi_y * s - v.psi_z * c);
-    Bx_turn = in.arm * (e.psi_y * c + e.psi_z * s);
+    Bx += axial_at_ball(in.arm, in.e, c, s);
+    Bx_rate = axial_at_ball(in.arm, in.v, c, s);
+    Bx_turn = axial_slope_at_ball(in.arm, in.e, c, s);
   }
   // eq. (2): e_r
   Real Br = in.radial + e_y * c + e_z * s, Br_rate = v_y * c + v_z * s, Br_turn = e_z * c - e_y * s;

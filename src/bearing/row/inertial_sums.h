@@ -23,9 +23,15 @@ struct BallInRow {
 /// Sums over the balls of a row, in the cage's frame.
 template <class Real>
 struct InertialSums {
-  Real fx = 0, fy = 0, fz = 0, dissipated = 0, radial = 0, axial = 0, inner = 0, outer = 0;
-  Real cage = 0, power = 0, by_inner = 0, by_outer = 0, per_force = 0, waviness = 0, my = 0, mz = 0;
-  Real inner_roots = 0, outer_roots = 0, largest = 0, largest_outer = 0;
+  Real fx = 0, fy = 0, fz = 0, my = 0, mz = 0;   // on the inner ring [N], [N m]
+  Real radial = 0, axial = 0;                    // work per growth of B_r, B_x [N]
+  Real inner = 0, outer = 0;                     // loads of either race [N]
+  Real by_inner = 0, by_outer = 0;               // inertia's work per growth of a contact's deflection [N]
+  Real largest = 0, largest_outer = 0;           // load of a ball [N]
+  Real inner_roots = 0, outer_roots = 0;         // of loads [N^(1/3)]
+  Real cage = 0;                                 // torque over the cage's turning [N m]
+  Real dissipated = 0, power = 0, waviness = 0;  // in the contacts; of inertia; of the waves' travel [W]
+  Real per_force = 0;                            // work per relative change of F_0 [J]
 };
 
 /// A row of balls with inertia at an instant.
@@ -58,10 +64,9 @@ struct RowAtInstant {
 
   [[nodiscard, gnu::always_inline]] inline BallSurroundings<Real> surroundings(const BallInRow<Real>& ball) const {
     const Real &c = ball.cosine, &s = ball.sine;
-    const auto& e = place.e;
     BallSurroundings<Real> around{is_in_plane ? Real(0.) : place.axial, place.radial + at.e_y * c + at.e_z * s, added_i,
                                   added_o};
-    if constexpr (tilts) around.B_x += e.x + place.arm * (e.psi_y * s - e.psi_z * c);
+    if constexpr (tilts) around.B_x += axial_at_ball(place.arm, place.e, c, s);
     if constexpr (is_bent) around.B_r += ball.bent.width;
     if (is_wavy) {
       around.added_i += ball.waves.inner;
@@ -76,12 +81,11 @@ struct RowAtInstant {
   [[gnu::always_inline]] inline Real add_forces(const BallInRow<Real>& in_row, const BallInBalance<Real>& balanced,
                                                 InertialSums<Real>& sum) const {
     const BalancedBall<Real>& ball = balanced.ball;
-    const auto &e = place.e, &v = place.v;
     const Real &c = in_row.cosine, &s = in_row.sine;
     Real r_rate = at.v_y * c + at.v_z * s, r_turn = at.e_z * c - at.e_y * s, x_rate = 0., x_turn = 0.;
     if constexpr (tilts) {
-      x_rate = v.x + place.arm * (v.psi_y * s - v.psi_z * c);
-      x_turn = place.arm * (e.psi_y * c + e.psi_z * s);
+      x_rate = axial_at_ball(place.arm, place.v, c, s);
+      x_turn = axial_slope_at_ball(place.arm, place.e, c, s);
     }
     if constexpr (is_bent) {
       r_rate += in_row.bent.rate;

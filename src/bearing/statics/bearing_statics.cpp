@@ -53,7 +53,7 @@ RowReport report_row(const BallRowGeometry& g, const std::vector<BallInPlace>& b
 /// Both contacts in line, for balls without inertia.
 void add_centrifugal(RowReport& row, const BallRowGeometry& g, const RingSurroundings& around) {
   const double orbit = cage_speed_ratio(g.ball_diameter, g.pitch_diameter, g.contact_angle) * around.speed;
-  const double force = 0.5 * g.ball_mass * g.pitch_diameter * orbit * orbit;
+  const double force = centrifugal_force(g.ball_mass, g.pitch_diameter, orbit);
   if (force == 0. || row.largest_load == 0.) return;
   row.centrifugal_over_load = force / row.largest_load;
   row.neglects_centrifugal = !around.has_inertia && row.centrifugal_over_load > relevant_centrifugal_share;

@@ -14,10 +14,6 @@ struct RingStatics::Plane {
 
 namespace {
 
-double along(const RingSurroundings& around, const RowStrains& strains, double GrooveStrain::*part) {
-  return around.inner_strain * strains.inner.*part + around.outer_strain * strains.outer.*part;
-}
-
 BallContacts contacts_of(const BallRowGeometry& g, const RingSurroundings& around) {
   const RowStrains strains = row_strains(g);
   return {g.inner.stiffness,
@@ -32,12 +28,8 @@ BallContacts contacts_of(const BallRowGeometry& g, const RingSurroundings& aroun
 
 /// Centre of the inner groove from that of the outer one in the mounted place, of every ball [m].
 Eigen::Vector2d rest_of(const BallRowGeometry& g, const RingSurroundings& around) {
-  const double A = (g.inner_conformity + g.outer_conformity - 1.) * g.ball_diameter;
-  const RowStrains strains = row_strains(g);
-  return {
-      g.direction * (A * std::sin(g.contact_angle) + g.preload_offset) + along(around, strains, &GrooveStrain::axial),
-      A * std::cos(g.contact_angle) - g.radial_clearance + around.radial_growth +
-          g.difference_share * around.row_difference + along(around, strains, &GrooveStrain::radial)};
+  const GroovesOf<double> grooves = grown(groove_centres(g), row_strains(g), g.difference_share, around);
+  return {grooves.axial, grooves.radial};
 }
 
 }  // namespace
@@ -61,7 +53,7 @@ RingStatics::RingStatics(std::vector<BallRowGeometry> rows, const RingSurroundin
 RingStatics::Row RingStatics::row_of(const BallRowGeometry& g, bool is_pressed_by_spring) const {
   Row row;
   row.rest = rest_of(g, surroundings_);
-  row.arm = 0.5 * g.pitch_diameter + (g.inner_conformity - 0.5) * g.ball_diameter * std::cos(g.contact_angle);
+  row.arm = groove_centres(g).arm;
   row.travel = is_pressed_by_spring ? g.direction : 0.;
   for (int ball = 0; ball < g.n_balls; ++ball) {
     const double azimuth = g.phase + 2. * std::numbers::pi * ball / g.n_balls + surroundings_.cage_angle;

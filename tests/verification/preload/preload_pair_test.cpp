@@ -232,6 +232,9 @@ TEST(PreloadOfThePair, TheRadialClearanceIsWhereBallsBeginToTouch) {
     EXPECT_TRUE(running->at({.inner_race = warm - 1e-8, .ball = 1e-6}).is_floating) << name;
     EXPECT_FALSE(running->at({.inner_race = warm + 1e-8, .ball = 1e-6}).is_floating) << name;
   }
+  // Rows that grow differently: the one that grows more, by half of the difference, touches first.
+  const auto pair = build_running_bearing(c.parameters, "TB2", 0., rest_finder("TB2"));
+  EXPECT_NEAR(pair->at({.row_difference = 2e-6}).radial_clearance, pair->at({}).radial_clearance - 1e-6, 1e-15) << "m";
 }
 
 TEST(PreloadOfThePair, NodesThatAUserAddsTakePart) {
