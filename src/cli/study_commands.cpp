@@ -322,8 +322,6 @@ StudyCommands::StudyCommands(CLI::App& app) {
   rerun_->add_flag("--quiet", rerun_command_.quiet, "Only messages about trouble");
 }
 
-bool StudyCommands::is_asked() const { return study_->parsed(); }
-
 int StudyCommands::run() const {
   if (join_->parsed()) return study_join_command(join_command_);
   if (report_->parsed()) return study_report_command(report_command_);

@@ -40,11 +40,10 @@ struct StudyReportCommand {
 };
 int study_report_command(const StudyReportCommand& command);
 
-/// `rotordrop study ...` as it stands on the command line: adds the command, runs what was asked for.
+/// `rotordrop study ...` as it stands on the command line: adds the command, runs what it was given.
 class StudyCommands {
  public:
   explicit StudyCommands(CLI::App& app);
-  [[nodiscard]] bool is_asked() const;
   [[nodiscard]] int run() const;
 
  private:
