@@ -75,150 +75,177 @@ Elimination eliminate(const Data& data, const Names& index) {
 
 }  // namespace
 
-ThermalNetwork::ThermalNetwork(ThermalNetworkData data) : data_(std::move(data)) {
-  const Names index(data_);
-  const std::size_t n = data_.nodes.size();
-  const auto elimination = eliminate(data_, index);
+/// The nodes after elimination: each has a state or is massless, and the surroundings come after the last state.
+struct ThermalNetwork::Reduced {
+  static constexpr auto none = static_cast<std::size_t>(-1);
+  const Data& data;
+  Names index;
+  Elimination elimination;
+  std::size_t n;                                   // number of nodes, and what Names calls the surroundings
+  std::vector<std::size_t> state_of, massless_of;  // of each node and the surroundings
+  std::size_t surroundings = 0;                    // their state
 
-  constexpr std::size_t none = static_cast<std::size_t>(-1);
-  std::vector<std::size_t> state_of(n + 1, none), massless_of(n + 1, none);
-  for (std::size_t i = 0; i < n; ++i)
+  explicit Reduced(const Data& network)
+      : data(network),
+        index(network),
+        elimination(eliminate(network, index)),
+        n(network.nodes.size()),
+        state_of(n + 1, none),
+        massless_of(n + 1, none) {
+    for (std::size_t i = 0; i < n; ++i)
+      if (data.nodes[i].capacity > 0.) state_of[i] = surroundings++;
+    state_of[n] = surroundings;
+    for (std::size_t i = 0; i < elimination.massless.size(); ++i) massless_of[elimination.massless[i]] = i;
+  }
+  [[nodiscard]] bool is_massless(std::size_t node) const { return massless_of[node] != none; }
+  /// Weights of the temperatures that a massless node's consists of.
+  [[nodiscard]] std::vector<Term> terms(std::size_t node, double& of_ambient) const {
+    std::vector<Term> list;
+    const auto row = static_cast<Eigen::Index>(massless_of[node]);
+    for (std::size_t k = 0; k < n; ++k)
+      if (const double weight = elimination.weights(row, static_cast<Eigen::Index>(k)); weight != 0.)
+        list.push_back({state_of[k], weight});
+    of_ambient = elimination.weights(row, static_cast<Eigen::Index>(n));
+    return list;
+  }
+  /// Where a watt into a node goes. That into a massless one leaves it towards its neighbours as its temperature's weights say.
+  [[nodiscard]] std::vector<Term> spread(const std::string& name, double& lost) const {
+    const std::size_t node = index(name);
+    lost = 0.;
+    if (is_massless(node)) return terms(node, lost);
+    if (node == n) throw std::invalid_argument("heat cannot enter the surroundings directly");
+    return {{state_of[node], 1.}};
+  }
+  /// Rise of node a by heat into node b at held states [K/W].
+  [[nodiscard]] double impedance(std::size_t a, std::size_t b) const {
+    return is_massless(a) && is_massless(b) ? elimination.impedance(static_cast<Eigen::Index>(massless_of[a]),
+                                                                    static_cast<Eigen::Index>(massless_of[b]))
+                                            : 0.;
+  }
+};
+
+ThermalNetwork::ThermalNetwork(ThermalNetworkData data) : data_(std::move(data)) {
+  const Reduced reduced(data_);
+  for (std::size_t i = 0; i < data_.nodes.size(); ++i)
     if (data_.nodes[i].capacity > 0.) {
-      state_of[i] = with_capacity_.size();
       with_capacity_.push_back(i);
       inverse_capacity_.push_back(1. / data_.nodes[i].capacity);
     }
-  const std::size_t surroundings = with_capacity_.size();
-  state_of[n] = surroundings;
-  for (std::size_t i = 0; i < elimination.massless.size(); ++i) massless_of[elimination.massless[i]] = i;
-  flows_ = LinearFlows(surroundings, data_.places.size());
-  const auto watts_into = [&](std::size_t state) { return state == surroundings ? 1. : inverse_capacity_[state]; };
+  flows_ = LinearFlows(reduced.surroundings, data_.places.size());
+  lay_conductances(reduced);
+  lay_law_links(reduced);
+  lay_ports(reduced);
+  lay_rolling_balls(reduced);
+  lay_growths(reduced);
+  lay_shown(reduced);
+}
 
-  // Conductances between kept nodes after elimination: the Schur complement's off-diagonal entries.
-  for (std::size_t a = 0; a <= n; ++a)
-    for (std::size_t b = a + 1; b <= n; ++b) {
-      if (state_of[a] == none || state_of[b] == none) continue;
+double ThermalNetwork::rate_per_watt(std::size_t state) const {
+  return state == with_capacity_.size() ? 1. : inverse_capacity_[state];
+}
+
+// Conductances between kept nodes after elimination: the Schur complement's off-diagonal entries.
+void ThermalNetwork::lay_conductances(const Reduced& reduced) {
+  const auto& [massless, weights, impedance, laplacian] = reduced.elimination;
+  for (std::size_t a = 0; a <= reduced.n; ++a)
+    for (std::size_t b = a + 1; b <= reduced.n; ++b) {
+      if (reduced.is_massless(a) || reduced.is_massless(b)) continue;
       const auto row = static_cast<Eigen::Index>(a), column = static_cast<Eigen::Index>(b);
-      double G = -elimination.laplacian(row, column);
-      for (std::size_t m = 0; m < elimination.massless.size(); ++m)
-        G -= elimination.laplacian(row, static_cast<Eigen::Index>(elimination.massless[m])) *
-             elimination.weights(static_cast<Eigen::Index>(m), column);
+      double G = -laplacian(row, column);
+      for (std::size_t m = 0; m < massless.size(); ++m)
+        G -= laplacian(row, static_cast<Eigen::Index>(massless[m])) * weights(static_cast<Eigen::Index>(m), column);
       if (!(G > 0.)) continue;
-      for (const auto& [from, to] : {std::pair{state_of[a], state_of[b]}, std::pair{state_of[b], state_of[a]}}) {
-        if (from == surroundings) continue;  // always at the ambient temperature
-        flows_.by_rise(from, from) -= G * watts_into(from);
-        flows_.by_rise(to, from) += G * watts_into(to);
+      const std::size_t of_a = reduced.state_of[a], of_b = reduced.state_of[b];
+      for (const auto& [from, to] : {std::pair{of_a, of_b}, std::pair{of_b, of_a}}) {
+        if (from == reduced.surroundings) continue;  // always at the ambient temperature
+        flows_.by_rise(from, from) -= G * rate_per_watt(from);
+        flows_.by_rise(to, from) += G * rate_per_watt(to);
       }
     }
+}
+
+void ThermalNetwork::lay_law_links(const Reduced& reduced) {
   for (const auto& r : data_.resistors) {
     if (r.law == Data::Law::constant) continue;
-    const std::size_t a = index(r.between), b = index(r.and_node);
-    if (state_of[a] == none || state_of[b] == none)
+    const std::size_t a = reduced.index(r.between), b = reduced.index(r.and_node);
+    if (reduced.is_massless(a) || reduced.is_massless(b))
       throw std::invalid_argument("a resistor that is not constant joins the massless thermal node \"" +
-                                  (state_of[a] == none ? r.between : r.and_node) + "\"");
-    law_links_.push_back({state_of[a], state_of[b], r.law, r.place, r.resistance, r.R_apart, r.area});
+                                  (reduced.is_massless(a) ? r.between : r.and_node) + "\"");
+    law_links_.push_back({reduced.state_of[a], reduced.state_of[b], r.law, r.place, r.resistance, r.R_apart, r.area});
   }
+}
 
-  // A watt into a massless node leaves it towards its neighbours as the temperatures' weights say.
-  const auto spread = [&](const std::string& name, std::vector<Term>& terms, double& lost) {
-    const std::size_t node = index(name);
-    lost = 0.;
-    if (massless_of[node] == none) {
-      if (node == n) throw std::invalid_argument("heat cannot enter the surroundings directly");
-      terms.push_back({state_of[node], 1.});
-      return;
-    }
-    const auto row = static_cast<Eigen::Index>(massless_of[node]);
-    for (std::size_t k = 0; k <= n; ++k) {
-      const double weight = elimination.weights(row, static_cast<Eigen::Index>(k));
-      if (weight == 0.) continue;
-      if (k == n)
-        lost = weight;
-      else
-        terms.push_back({state_of[k], weight});
-    }
-  };
+void ThermalNetwork::lay_ports(const Reduced& reduced) {
   for (std::size_t p = 0; p < data_.places.size(); ++p) {
     const auto& place = data_.places[p];
     std::size_t port = 0;
     for (const std::string* name : {&place.ring_node, &place.shaft_node, &place.inner_contact, &place.outer_contact}) {
-      std::vector<Term> terms;
       double lost = 0.;
-      spread(*name, terms, lost);
-      for (const auto& term : terms) flows_.by_port(term.node, p, port) += term.factor * watts_into(term.node);
-      flows_.by_port(surroundings, p, port++) += lost;
+      for (const auto& term : reduced.spread(*name, lost))
+        flows_.by_port(term.node, p, port) += term.factor * rate_per_watt(term.node);
+      flows_.by_port(reduced.surroundings, p, port++) += lost;
     }
   }
+}
 
-  // Contacts of rolling balls, each a massless node, or one with capacity that a user's circuit has instead.
+// Contacts of rolling balls, each a massless node, or one with capacity that a user's circuit has instead.
+void ThermalNetwork::lay_rolling_balls(const Reduced& reduced) {
   for (std::size_t p = 0; p < data_.places.size(); ++p) {
     const auto& place = data_.places[p];
     if (place.balls.empty()) continue;
-    const std::size_t balls = index(place.balls);
-    if (state_of[balls] == none || balls == n)
+    const std::size_t balls = reduced.index(place.balls);
+    if (reduced.is_massless(balls) || balls == reduced.n)
       throw std::invalid_argument("the balls' node \"" + place.balls + "\" needs a heat capacity");
-    RollingBalls<double> r{p, state_of[balls], 1. / place.ball_factor, 0., 0., {}, {}, 0., 0., 0.};
-    const std::array<std::size_t, 2> contact = {index(place.inner_contact), index(place.outer_contact)};
-    spread(place.inner_contact, r.inner_of, r.inner_of_ambient);
-    spread(place.outer_contact, r.outer_of, r.outer_of_ambient);
-    const auto impedance = [&](std::size_t a, std::size_t b) {
-      const std::size_t row = massless_of[a], column = massless_of[b];
-      return row == none || column == none
-                 ? 0.
-                 : elimination.impedance(static_cast<Eigen::Index>(row), static_cast<Eigen::Index>(column));
-    };
-    r.inner_inner = impedance(contact[0], contact[0]);
-    r.inner_outer = impedance(contact[0], contact[1]);
-    r.outer_outer = impedance(contact[1], contact[1]);
+    RollingBalls<double> r{p, reduced.state_of[balls], 1. / place.ball_factor, 0., 0., {}, {}, 0., 0., 0.};
+    const std::array<std::size_t, 2> contact = {reduced.index(place.inner_contact), reduced.index(place.outer_contact)};
+    r.inner_of = reduced.spread(place.inner_contact, r.inner_of_ambient);
+    r.outer_of = reduced.spread(place.outer_contact, r.outer_of_ambient);
+    r.inner_inner = reduced.impedance(contact[0], contact[0]);
+    r.inner_outer = reduced.impedance(contact[0], contact[1]);
+    r.outer_outer = reduced.impedance(contact[1], contact[1]);
     for (const auto& other : data_.places) {
       if (&other == &place || other.balls.empty()) continue;
       for (const std::size_t own : contact)
         for (const auto* name : {&other.inner_contact, &other.outer_contact})
-          if (impedance(own, index(*name)) != 0.)
+          if (reduced.impedance(own, reduced.index(*name)) != 0.)
             throw std::invalid_argument("massless nodes alone join contacts of rolling balls of two bearings");
     }
     rolling_.push_back(std::move(r));
   }
+}
 
+void ThermalNetwork::lay_growths(const Reduced& reduced) {
   for (const auto& g : data_.growths) {
     while (growths_.size() <= g.place) growths_.emplace_back();
-    const std::size_t node = index(g.node);
+    LinearGrowth& growth = growths_[g.place];
+    const std::size_t node = reduced.index(g.node);
     const auto surface = static_cast<std::size_t>(std::find(growth_surfaces.begin(), growth_surfaces.end(), g.surface) -
                                                   growth_surfaces.begin());
-    if (massless_of[node] == none) {
-      if (node != n) growths_[g.place].add(surface, state_of[node], g.coefficient);
+    if (!reduced.is_massless(node)) {
+      if (node != reduced.n) growth.add(surface, reduced.state_of[node], g.coefficient);
       continue;
     }
-    const auto row = static_cast<Eigen::Index>(massless_of[node]);
-    for (std::size_t k = 0; k < n; ++k)
-      if (const double weight = elimination.weights(row, static_cast<Eigen::Index>(k)); weight != 0.)
-        growths_[g.place].add(surface, state_of[k], g.coefficient * weight);
+    double of_ambient = 0.;  // which does not rise
+    for (const auto& term : reduced.terms(node, of_ambient))
+      growth.add(surface, term.node, g.coefficient * term.factor);
   }
+}
 
-  shown_.resize(n);
-  for (std::size_t i = 0; i < n; ++i) {
+void ThermalNetwork::lay_shown(const Reduced& reduced) {
+  shown_.resize(reduced.n);
+  for (std::size_t i = 0; i < reduced.n; ++i) {
     Shown& shown = shown_[i];
     shown.of_heat.assign(4 * data_.places.size(), 0.);
-    if (massless_of[i] == none) {
-      shown.of_temperature.push_back({state_of[i], 1.});
+    if (!reduced.is_massless(i)) {
+      shown.of_temperature.push_back({reduced.state_of[i], 1.});
       continue;
     }
-    const auto row = static_cast<Eigen::Index>(massless_of[i]);
-    for (std::size_t k = 0; k <= n; ++k) {
-      const double weight = elimination.weights(row, static_cast<Eigen::Index>(k));
-      if (weight == 0.) continue;
-      if (k == n)
-        shown.of_ambient = weight;
-      else
-        shown.of_temperature.push_back({state_of[k], weight});
-    }
+    shown.of_temperature = reduced.terms(i, shown.of_ambient);
     for (std::size_t p = 0; p < data_.places.size(); ++p) {
       const auto& place = data_.places[p];
-      const std::array<const std::string*, 4> names = {&place.ring_node, &place.shaft_node, &place.inner_contact,
-                                                       &place.outer_contact};
-      for (std::size_t port = 0; port < 4; ++port)
-        if (const std::size_t m = massless_of[index(*names[port])]; m != none)
-          shown.of_heat[4 * p + port] = elimination.impedance(row, static_cast<Eigen::Index>(m));
+      std::size_t port = 4 * p;
+      for (const std::string* name : {&place.ring_node, &place.shaft_node, &place.inner_contact, &place.outer_contact})
+        shown.of_heat[port++] = reduced.impedance(i, reduced.index(*name));
     }
   }
 }

@@ -82,6 +82,15 @@ class ThermalNetwork final : public ThermalModel {
     std::vector<Term> of_temperature;
     std::vector<double> of_heat;  // [4 n_places]: ring, shaft, inner, outer
   };
+  struct Reduced;
+  void lay_conductances(const Reduced& reduced);
+  void lay_law_links(const Reduced& reduced);
+  void lay_ports(const Reduced& reduced);
+  void lay_rolling_balls(const Reduced& reduced);
+  void lay_growths(const Reduced& reduced);
+  void lay_shown(const Reduced& reduced);
+  /// Rate of a state per heat into it [K/J]; 1 of the surroundings, which sum up heat.
+  [[nodiscard]] double rate_per_watt(std::size_t state) const;
 
   ThermalNetworkData data_;
   std::vector<std::size_t> with_capacity_;  // state index -> node index
