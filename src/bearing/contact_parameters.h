@@ -18,14 +18,21 @@ enum class FrictionLaw {
 
 /// [contact]: rotor surface against inner-ring bore, for all touchdown bearings.
 struct ContactParameters {
-  double friction_coefficient = 0, air_gap = 0, exponent = 0, lambda = 0, regularisation_speed = 0;
-  std::optional<double> bore_radius;
+  double friction_coefficient = 0;    ///< dynamic
+  double air_gap = 0;                 ///< radial [m]
+  double exponent = 0;                ///< n of F = K delta^n
+  double lambda = 0;                  ///< damping [s/m]
+  double regularisation_speed = 0;    ///< [m/s]
+  std::optional<double> bore_radius;  ///< [m]
   std::optional<double> static_friction_coefficient;
-  double stribeck_speed = 0;
-  std::optional<std::vector<std::array<double, 2>>> friction_over_speed, friction_over_temperature;
-  double wear_coefficient_bore = 0, wear_coefficient_rotor = 0, wear_depth_limit = 0;
+  double stribeck_speed = 0;                                              ///< [m/s]
+  std::optional<std::vector<std::array<double, 2>>> friction_over_speed;  ///< pairs of slip speed [m/s] and coefficient
+  std::optional<std::vector<std::array<double, 2>>> friction_over_temperature;  ///< pairs of temperature [K] and factor
+  double wear_coefficient_bore = 0, wear_coefficient_rotor = 0;                 ///< Archard's k = K/H [m^2/N]
+  double wear_depth_limit = 0;                                                  ///< [m]
   FrictionLaw friction_law = FrictionLaw::automatic;
-  double tangential_stiffness = 0, contact_length = 0;
+  double tangential_stiffness = 0;  ///< of the bristle [N/m]
+  double contact_length = 0;        ///< along the surface, after which a bristle leaves the contact [m]
 };
 Section<ContactParameters> contact_section();
 

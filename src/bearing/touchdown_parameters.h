@@ -22,7 +22,8 @@ enum class WavySurface { inner_race, outer_race, bore };
 struct WavinessParameters {
   WavySurface surface = WavySurface::inner_race;
   int order = 1;
-  double amplitude = 0, phase = 0;
+  double amplitude = 0;  ///< [m]
+  double phase = 0;      ///< [rad]
 };
 
 /// What an inner ring may do besides spinning.
@@ -34,8 +35,8 @@ enum class RingMotion {
 /// bearings.NAME.shoulders: of the rotor, beside a free inner ring.
 struct ShoulderParameters {
   std::optional<double> gap_minus_x, gap_plus_x;  ///< at the ring's face at -x, +x [m]
-  std::optional<double> radius;
-  std::optional<double> stiffness;  ///< none: from the bodies' geometry
+  std::optional<double> radius;                   ///< mean radius of the faces that touch [m]
+  std::optional<double> stiffness;                ///< [N/m]; none: from the bodies' geometry
 
   [[nodiscard]] bool any() const { return gap_minus_x || gap_plus_x; }
 };
@@ -53,46 +54,58 @@ struct TouchdownParameters {
   std::optional<std::string> catalogue;
   int count = 1;  ///< of catalogue bearings beside each other
   int node = 0;
-  std::optional<double> contact_stiffness, contact_width, crown_radius;
-  std::optional<double> bore_radius, air_gap;
+  std::optional<double> contact_stiffness;            ///< K of rotor and bore [N/m^n]
+  std::optional<double> contact_width, crown_radius;  ///< [m]
+  std::optional<double> bore_radius, air_gap;         ///< [m]
   int rows = 1, balls_per_row = 0;
   RowArrangement arrangement = RowArrangement::face_to_face;
-  double ball_diameter = 0, pitch_diameter = 0;
-  std::array<double, 2> conformity{};
-  double contact_angle = 0, radial_clearance = 0, preload = 0, row_phase = 0, cage_phase = 0;
-  std::optional<double> row_spacing;
-  std::string ball, ring;
-  std::optional<std::string> journal;
-  double ring_mass = 0, ring_spin_inertia = 0, width = 0;
-  double f1_z = 0, f1_y = 0, f2 = 0, C0 = 0;
+  double ball_diameter = 0, pitch_diameter = 0;  ///< d, d_m [m]
+  std::array<double, 2> conformity{};            ///< inner, outer groove radius over d
+  double contact_angle = 0;                      ///< [rad]
+  double radial_clearance = 0;                   ///< half the diametral one [m]
+  double preload = 0;                            ///< of each row [N]
+  double row_phase = 0, cage_phase = 0;          ///< [rad]
+  std::optional<double> row_spacing;             ///< [m]
+  std::string ball, ring;                        ///< materials
+  std::optional<std::string> journal;            ///< material; none: that of the ring
+  double ring_mass = 0;                          ///< inner ring(s) [kg]
+  double ring_spin_inertia = 0;                  ///< with balls and cage [kg m^2]
+  double width = 0;                              ///< of the rings, all rows [m]
+  double f1_z = 0, f1_y = 0, f2 = 0;             ///< of the friction torque (laws/bearing_friction.h)
+  double C0 = 0;                                 ///< static load rating of all rows together [N]
   double required_static_safety = 1;
-  std::optional<double> C, bore_diameter, outside_diameter;
+  std::optional<double> C;                                ///< dynamic load rating [N]
+  std::optional<double> bore_diameter, outside_diameter;  ///< [m]
   SupportParameters support;
   std::vector<WavinessParameters> waviness;
-  double ball_damping_beta = 0, drag_viscosity = 0, drag_regularisation = 0;
+  double ball_damping_beta = 0;    ///< [s]
+  double drag_viscosity = 0;       ///< [m^2/s]
+  double drag_regularisation = 0;  ///< [rad/s]
   RingMotion ring_motion = RingMotion::translations;
-  std::optional<double> ring_diametral_inertia;
+  std::optional<double> ring_diametral_inertia;  ///< [kg m^2]
   ShoulderParameters shoulders;
   BallModel ball_model = BallModel::quasi_static;
   CageModel cage = CageModel::rolling;
-  std::optional<double> cage_inertia;
-  double race_traction = 0, race_traction_slip = 0, pocket_friction = 0;
+  std::optional<double> cage_inertia;             ///< [kg m^2]
+  double race_traction = 0, pocket_friction = 0;  ///< coefficients
+  double race_traction_slip = 0;                  ///< [m/s]
   GyroscopicSplit gyroscopic_split = GyroscopicSplit::outer;
   InternalHeat internal_heat = InternalHeat::energy_consistent;
   FrictionLoadLaw load_law = FrictionLoadLaw::radial;
   EllipticIntegrals elliptic_integrals = EllipticIntegrals::brewe_hamrock;
   std::optional<double> race_friction_coefficient;
-  std::array<double, 2> inner_ring_diameters{}, outer_ring_diameters{}, housing_diameters{};
-  std::optional<double> inner_shoulder_diameter, outer_shoulder_diameter;
-  double housing_length = 0;
-  double housing_fit = 0;
+  std::array<double, 2> inner_ring_diameters{}, outer_ring_diameters{}, housing_diameters{};  ///< [m]
+  std::optional<double> inner_shoulder_diameter, outer_shoulder_diameter;                     ///< [m]
+  double housing_length = 0;                                                                  ///< [m]
+  double housing_fit = 0;  ///< interference with the outer ring, by radius [m]
   HousingFit housing_fit_kind = HousingFit::frictionless;
-  std::optional<double> shaft_lump_length;
+  std::optional<double> shaft_lump_length;  ///< [m]; none: the width
   CircuitFactors circuit;
   RingBendingModel ring_bending = RingBendingModel::none;
   int ring_harmonics = 0;
-  double ring_bending_damping = 0, ring_frequency_limit = 0;
-  std::optional<double> outer_ring_bedding;
+  double ring_bending_damping = 0;           ///< part of the critical one
+  double ring_frequency_limit = 0;           ///< [Hz]
+  std::optional<double> outer_ring_bedding;  ///< radial stiffness of the housing's bore per area [N/m^3]
 };
 Section<TouchdownParameters> touchdown_section();
 

@@ -75,18 +75,24 @@ struct TouchdownBearing::TouchOf {
 /// What results tell of it.
 template <class Real>
 struct TouchdownBearing::ObservedTouchOf {
-  Real penetration, normal, friction, slip_speed;
-  Real axial, shoulder, moment_y, moment_z;  // on the ring
+  Real penetration;         // [m]
+  Real normal, friction;    // [N]
+  Real slip_speed;          // [m/s]
+  Real axial, shoulder;     // on the ring [N]
+  Real moment_y, moment_z;  // on the ring [N m]
 };
 
 /// Balls on the inner ring, summed over its rows.
 template <class Real>
 struct TouchdownBearing::BallSumsOf {
-  Real force_x = 0, force_y = 0, force_z = 0, moment_y = 0, moment_z = 0;
-  Real damping_power = 0, elastic_radial = 0, elastic_normal = 0, cage_power = 0, waviness_power = 0;
-  Real by_inner_strain = 0, by_outer_strain = 0;  // dU/d(strain) [J]
-  Real by_row_difference = 0;                     // dU/d(Expansion::row_difference) [N]
-  Real inertia_power = 0, inertia_per_speed = 0;
+  Real force_x = 0, force_y = 0, force_z = 0;                  // [N]
+  Real moment_y = 0, moment_z = 0;                             // [N m]
+  Real damping_power = 0, cage_power = 0, waviness_power = 0;  // [W]
+  Real elastic_radial = 0, elastic_normal = 0;                 // as in BallRowOutputOf [N]
+  Real by_inner_strain = 0, by_outer_strain = 0;               // dU/d(strain) [J]
+  Real by_row_difference = 0;                                  // dU/d(Expansion::row_difference) [N]
+  Real inertia_power = 0;                                      // [W]
+  Real inertia_per_speed = 0;                                  // [W s^2/rad]
 };
 template <class Real>
 struct TouchdownBearing::BallForcesOf : BallSumsOf<Real> {

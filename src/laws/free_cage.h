@@ -20,6 +20,7 @@
 
 namespace rotordrop {
 
+/// Balls and cage of a bearing, with one orbital speed and one spin of the balls.
 struct FreeCage {
   double n_balls = 0;          ///< Z, of all rows
   double ball_mass = 0;        ///< m [kg]
@@ -31,6 +32,7 @@ struct FreeCage {
   double slip = 1;             ///< u_0 [m/s], > 0
   double pocket_friction = 0;  ///< mu_p
 
+  /// Of balls and cage about the bearing's axis, and of the balls about the axis of rolling [kg m^2].
   [[nodiscard]] double orbit_inertia() const { return n_balls * ball_mass * pitch_radius * pitch_radius + inertia; }
   [[nodiscard]] double spin_inertia() const { return n_balls * 0.1 * ball_mass * ball_diameter * ball_diameter; }
   /// What balls and cage add to the inner ring's spin inertia while they roll [kg m^2].
@@ -38,7 +40,7 @@ struct FreeCage {
     const double orbit = 0.5 * (1. - gamma), spin = 2. * pitch_radius * orbit / ball_diameter;
     return orbit_inertia() * orbit * orbit + spin_inertia() * spin * spin;
   }
-  /// [J]
+  /// Kinetic energy [J] at omega_c and W [rad/s].
   [[nodiscard]] double energy(double cage_speed, double ball_spin) const {
     return 0.5 * (orbit_inertia() * cage_speed * cage_speed + spin_inertia() * ball_spin * ball_spin);
   }
@@ -53,6 +55,7 @@ struct CageDrive {
   double contact_torque = 0;              ///< M_Q [N m]
 };
 
+/// What they then do.
 struct CageMotion {
   double cage_acceleration = 0, ball_acceleration = 0;     ///< omega_c', W' [rad/s^2]
   double ring_torque = 0;                                  ///< on the inner ring [N m]

@@ -29,8 +29,9 @@ inline constexpr double flight_without_contact = 0.1;  ///< longer than any boun
 /// [run]: what happens, how long, in what surroundings.
 struct RunParameters {
   EndCondition until = EndCondition::time;
-  std::optional<double> until_time;  ///< [s]
-  double end_time = 0, initial_speed = 0;
+  std::optional<double> until_time;         ///< [s]
+  double end_time = 0;                      ///< [s]
+  double initial_speed = 0;                 ///< of the rotor's spin [rad/s]
   std::array<double, 3> gravity{};          ///< along x, y, z [m/s^2]
   double ambient = 0;                       ///< [K]
   std::vector<std::string> parts;           ///< modules with parts of others, full paths; loaded when the case is read
@@ -45,7 +46,10 @@ Section<RunParameters> run_section();
 
 /// [materials.NAME].
 struct MaterialParameters {
-  double E = 0, nu = 0, rho = 0, k = 0, c = 0, alpha = 0;
+  double E = 0, nu = 0;  ///< Young's modulus [Pa], Poisson's ratio
+  double rho = 0;        ///< density [kg/m^3]
+  double k = 0, c = 0;   ///< conductivity [W/(m K)], heat capacity [J/(kg K)]
+  double alpha = 0;      ///< thermal expansion [1/K]
   std::optional<std::vector<std::array<double, 2>>> k_table, c_table;  ///< pairs of temperature [K] and value
   std::optional<double> temperature_limit;                             ///< a run that exceeds it warns [K]
 };

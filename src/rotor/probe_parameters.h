@@ -13,14 +13,18 @@ namespace rotordrop {
 
 /// What happens where a probe's clearance is used up; without it the probe only watches.
 struct ProbeContactParameters {
-  double stiffness = 0, lambda = 0, friction_coefficient = 0, regularisation_speed = 0;
-  std::optional<double> radius;
+  double stiffness = 0;  ///< [N/m]
+  double lambda = 0;     ///< damping [s/m]
+  double friction_coefficient = 0;
+  double regularisation_speed = 0;  ///< [m/s]
+  std::optional<double> radius;     ///< of the rotor's surface [m]
 };
 
+/// A node and the clearance around it.
 struct ProbeParameters {
-  int node = 0;
-  double clearance = 0;
-  std::array<double, 2> centre{};
+  int node = 0;                    ///< numbered from 1
+  double clearance = 0;            ///< radial [m]
+  std::array<double, 2> centre{};  ///< of the clearance, along y and z [m]
   std::optional<ProbeContactParameters> contact;
 };
 using ProbeList = std::vector<std::pair<std::string, ProbeParameters>>;

@@ -19,10 +19,10 @@ template <class Real>
 struct BallRowInputOf {
   RingDisplacementOf<Real> displacement;
   RingDisplacementOf<Real> rate;
-  Real cage_angle = 0, cage_cosine = 1, cage_sine = 0;
-  Real cage_speed = 0;      ///< [rad/s], for the work of the prescribed cage
-  Real ring_angle = 0;      ///< theta_i [rad]
-  Real ring_speed = 0;      ///< omega_i [rad/s]
+  Real cage_angle = 0, cage_cosine = 1, cage_sine = 0;  ///< theta_c [rad], its cosine and sine
+  Real cage_speed = 0;                                  ///< [rad/s], for the work of the prescribed cage
+  Real ring_angle = 0;                                  ///< theta_i [rad]
+  Real ring_speed = 0;                                  ///< omega_i [rad/s]
   Real radial_growth = 0;   ///< eps_in - eps_out, radial displacements of the contact points [m]
   Real row_difference = 0;  ///< of it, last row less first [m]
   Real ball_growth = 0;     ///< eps_b, growth of a ball's radius [m]

@@ -12,13 +12,14 @@ namespace rotordrop {
 /// bearings.NAME with type = "magnet".
 struct MagnetParameters {
   using Matrix = std::array<std::array<double, 2>, 2>;
-  int node = 0;
-  Matrix stiffness{}, damping{};
-  std::array<double, 2> release_time{};
-  double residual_time = 0;
-  std::optional<std::array<double, 2>> holding_force;
-  double axial_stiffness = 0, axial_damping = 0, axial_release_time = 0;
-  std::optional<double> axial_holding_force;
+  int node = 0;                                        ///< numbered from 1
+  Matrix stiffness{}, damping{};                       ///< [[yy, yz], [zy, zz]] [N/m], [N s/m]
+  std::array<double, 2> release_time{};                ///< along y, z [s]
+  double residual_time = 0;                            ///< tau [s]; 0: the force ends at once
+  std::optional<std::array<double, 2>> holding_force;  ///< F_0 along y, z [N]; none: a share of the weight
+  double axial_stiffness = 0, axial_damping = 0;       ///< [N/m], [N s/m]
+  double axial_release_time = 0;                       ///< [s]
+  std::optional<double> axial_holding_force;           ///< [N]; none: a share of the axial weight and force
 };
 Section<MagnetParameters> magnet_section();
 
