@@ -60,6 +60,7 @@ TouchdownNumbers<double> TouchdownBearing::numbers_of(const TouchdownBearingData
   q.inner_heat_share = inner_heat_share(d);
   const double theta = pitch_angle_outer_race_control(g.contact_angle, g.ball_diameter, g.pitch_diameter);
   const auto spin = spin_speeds(1., g.contact_angle, g.contact_angle, theta, g.ball_diameter, g.pitch_diameter);
+  // Under outer-race control omega_so is zero but for roundoff: the sum is the spin on the inner race.
   q.spin_speed_sum_ratio = std::fabs(spin.inner) + std::fabs(spin.outer);
   return q;
 }

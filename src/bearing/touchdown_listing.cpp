@@ -122,7 +122,8 @@ std::vector<Observable> TouchdownBearing::observables() const {
        "traction that rolling and gyroscopic moments require of the row, divided by the available friction",
        rows_.size(), row_names, Observed::skid_demand},
       {"gyroscopic_demand", "1",
-       "traction that a ball's gyroscopic moment asks of the race where it asks more, over what friction gives",
+       "traction that a ball's gyroscopic moment requires, divided by the available friction, at the race where this "
+       "is larger",
        rows_.size(), row_names, Observed::gyroscopic_demand}};
   if (data_.free_ring)
     list.insert(

@@ -37,12 +37,12 @@ struct ContactEllipse {
 /// Valid for R_y >= R_x (every ball in a groove).
 ContactEllipse contact_ellipse(const ContactGeometry& geometry, EllipticIntegrals method);
 
-/// Load-deflection constant K of F = K delta^(3/2) [N/m^1.5]: K = pi k E' sqrt(2 E R / (9 F^3)), 1/R = 1/R_x + 1/R_y.
+/// Load-deflection constant K of Q = K delta^(3/2) [N/m^1.5]: K = pi k E' sqrt(2 E R / (9 F^3)), 1/R = 1/R_x + 1/R_y.
 /// Source: Brewe & Hamrock (1977); Hamrock & Dowson (1981).
 double hertz_stiffness(const ContactGeometry& geometry, double effective_modulus, EllipticIntegrals method);
 
-/// Semi-major axis a [m] of the contact ellipse at load F is this times F^(1/3): a = (6 k^2 E R F / (pi E'))^(1/3) / 1,
-/// Hamrock & Dowson's diameter 2 (6 k^2 E F R / (pi E'))^(1/3) halved.
+/// Semi-major axis a [m] of the contact ellipse at load Q is this times Q^(1/3): a = (6 k^2 E R Q / (pi E'))^(1/3),
+/// half of Hamrock & Dowson's diameter.
 double semi_major_axis_factor(const ContactGeometry& geometry, double effective_modulus, EllipticIntegrals method);
 
 /// Half width b [m] of the contact of two parallel cylinders: b = sqrt(8 w R / (pi E')), w [N/m], 1/R = 1/r_1 +- 1/r_2, - for a shaft in a bore.

@@ -88,7 +88,7 @@ void Machine::lay_out_ledgers() {
         {"inner heat", "J", 10., "friction heat of balls and inner race"},
         {"outer heat", "J", 10., "friction heat of balls and outer race"},
         {"other dissipation", "J", 1., "energy dissipated by damping, which heats nothing here"},
-        {"prescribed work", "J", 1., "work of prescribed cage and waviness motion on the machine"},
+        {"prescribed work", "J", 1., prescribed_work_meaning},
         {"growth work", "J", 1., "work of thermal growth on the machine"}};
     const auto own = parts_.supports[i]->ledger_entries();
     entries.insert(entries.end(), own.begin(), own.end());

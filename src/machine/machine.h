@@ -22,7 +22,7 @@ struct EnergyBalanceOf {
   Real mechanical = 0;       ///< kinetic, elastic, gravitational
   Real dissipated = 0;       ///< heat deposited and damping, since the start
   Real growth_work = 0;      ///< done on the machine by thermal growth
-  Real prescribed_work = 0;  ///< by the prescribed motion of cages and waves
+  Real prescribed_work = 0;  ///< of all supports (SupportOutputOf) and of the rotor's growth by its speed
   Real unbalance_work = 0;
   Real drive_work = 0;  ///< by motor or brake
   Real windage = 0;     ///< dissipated by the gas around the rotor; part of `dissipated`
@@ -36,6 +36,10 @@ struct EnergyBalanceOf {
   std::vector<Heat> heat;  ///< of each thermal model in the state vector
 };
 using EnergyBalance = EnergyBalanceOf<double>;
+/// What results say of SupportOutputOf::prescribed_work.
+inline constexpr const char* prescribed_work_meaning =
+    "work of everything that is prescribed: cage, waves, balls' inertia, growth by speed, magnets, circulatory "
+    "stiffness";
 
 /// Rotor, supports and thermal models wired to one state vector with its energy ledgers:
 ///   y = [ rotor | each support | temperatures of each thermal model | ledgers | heat lost by each model that follows | its temperatures ].
@@ -186,9 +190,6 @@ class Machine final {
   };
   [[nodiscard]] std::span<const double> thermal_part(std::size_t model, std::span<const double> y) const {
     return y.subspan(thermal_[model].state, thermal_[model].n_state);
-  }
-  [[nodiscard]] std::span<const double> driver_part(std::span<const double> y) const {
-    return thermal_part(*parts_.driver, y);
   }
   struct OwnParts;
   template <class Real>

@@ -1,5 +1,5 @@
 #pragma once
-// The kinds of support that a machine can have. A new kind of ours is its own files in bearing/ and one alternative here;
+// The kinds of support that a machine can have. A new kind of ours is its own files in bearing/support/ and one line in own_kinds() (supports.cpp);
 // one from outside registers itself with add_support_kind().
 #include <functional>
 #include <memory>

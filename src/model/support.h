@@ -27,7 +27,8 @@ struct SupportOutputOf {
   HeatInputOf<Real> heat;
   Real other_dissipation = 0;  ///< dissipated but not given to the thermal model: contact, ball and support damping [W]
   Real heat_into_port = 0;     ///< part of other_dissipation that enters Support::heat_port() [W]
-  Real prescribed_work = 0;    ///< done on the machine by cage, waves and growth by speed [W]
+  /// Power on the machine of everything that is prescribed [W]: motion of cages and waves, inertia of balls, growth by speed, magnets, circulatory stiffness.
+  Real prescribed_work = 0;
   ExpansionOf<Real> energy_gradient;  ///< dU/d(growth) [N]: times the growth rate it is the work of thermal growth
   std::span<Real> observed;           ///< where to write the observables, in their order; empty: do not
   std::span<Real> observed_details;   ///< where to write the detailed (coarsely sampled) ones; empty: do not

@@ -129,7 +129,7 @@ double windage_torque(const RotorGeometry& geometry, const WindageParameters& p,
 Windage windage_of(const RotorGeometry& geometry, const WindageParameters& p) {
   if (p.law == WindageLaw::power) return {p.factor * *p.torque, *p.speed, p.exponent};
   if (p.factor == 0.) return {0., 1., 1.};
-  // 60 points in each decade: smooth parts are met to 1e-5, jumps of the pieces become steep rises.
+  // 60 points in each decade: smooth parts are met to 2e-5, changes of slope to 4e-4; jumps of the pieces become steep rises.
   std::vector<double> speed, torque;
   for (int k = 0; k <= 300; ++k) {
     speed.push_back(0.2 * std::pow(10., k / 60.));  // to 2e4 rad/s, the highest initial speed

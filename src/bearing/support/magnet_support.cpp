@@ -53,11 +53,12 @@ Section<MagnetParameters> magnet_section() {
   s.check([](const P& p, const Node& table, const std::string& path, Faults& faults) {
     for (std::size_t i = 0; i < 2; ++i)
       if (p.release_time[i] > 0. && !(p.stiffness[i][i] > 0.)) {
-        faults.add(position_of_value(table, "stiffness"),
-                   path +
-                       ".stiffness has a negative stiffness on its diagonal: the magnet would push the rotor away "
-                       "while it holds it.",
-                   "Give the stiffness of magnet and control together, or release_time = [\"0 s\", \"0 s\"].");
+        faults.add(
+            position_of_value(table, "stiffness"),
+            path +
+                ".stiffness has a diagonal entry that is not above 0. A magnet with a negative stiffness would push "
+                "the rotor away while it holds it, and one without stiffness would not keep it in its place.",
+            "Give the stiffness of magnet and control together, or release_time = [\"0 s\", \"0 s\"].");
         break;
       }
   });

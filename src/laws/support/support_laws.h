@@ -77,7 +77,7 @@ class ElastomerSupport final : public SupportLaw {
 /// h = c - e . n; the pressure's integral along the axis per length of circumference is -mu L^3 h' / h^3. Over a film that does not cavitate:
 ///   C_radial = mu R L^3 pi (1 + 2 s^2) / (c^3 (1 - s^2)^(5/2)),   C_tangential = mu R L^3 pi / (c^3 (1 - s^2)^(3/2)),   s = e / c.
 /// Quadrature around the circumference by Gauss over the half where the film closes. Films thinner than 1/50 of the clearance stay at that: there
-/// metal carries (RoundStop). Source: San Andres, Modern Lubrication Theory, notes 13. Valid: L < R, no inertia of the oil.
+/// metal carries (StoppedSupport). Source: San Andres, Modern Lubrication Theory, notes 13. Valid: L < R, no inertia of the oil.
 struct SqueezeFilm {
   double viscosity = 0;                          ///< mu [Pa s]
   double radius = 0, length = 0, clearance = 0;  ///< R, L, c [m]

@@ -249,7 +249,7 @@ void add_energy(Charts& c) {
   c.recorded("/energy/heat_stored", "heat stored", 1., {0, 0});
   c.recorded("/energy/heat_lost", "heat lost", 1., {5, 2});
   c.recorded("/energy/growth_work", "work of thermal growth", 1., {2, 0});
-  c.recorded("/energy/prescribed_work", "work of prescribed cage and waviness motion", 1., {3, 0});
+  c.recorded("/energy/prescribed_work", "work of everything prescribed", 1., {3, 0});
   c.recorded("/energy/unbalance_work", "work of the unbalance", 1., {6, 1});
   c.recorded("/energy/drive_work", "work of the drive", 1., {7, 3});
   c.figure("residuals", "Energy", "Energy-balance residual", "residual", "uJ",
