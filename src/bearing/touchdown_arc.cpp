@@ -199,8 +199,7 @@ TouchdownBearing::Contact TouchdownBearing::contact_over_arc(const SupportInput&
   return c;
 }
 
-double TouchdownBearing::arc_energy(const SupportInput& /*in*/, const Expansion& growth, std::span<const double> y,
-                                    const Bodies& at) const {
+double TouchdownBearing::arc_energy(const Expansion& growth, std::span<const double> y, const Bodies& at) const {
   const double gap = data_.air_gap + growth.bore - growth.shaft, distance = std::sqrt(at.y * at.y + at.z * at.z);
   const double bound = farthest_bend(y);
   if (distance + bound - gap <= 0.) return 0.;

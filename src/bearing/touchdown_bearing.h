@@ -24,12 +24,13 @@ enum class FrictionLoadLaw {
   equivalent  ///< P1 and P0 of each row from its radial and axial load, preload included (FrictionLoadFactors)
 };
 
-/// What the balls are.
+/// What turns the cage.
 enum class CageModel {
   rolling,  ///< balls roll without slip, and the cage turns with them
   free      ///< cage and balls have speeds of their own (laws/free_cage.h)
 };
 
+/// What the balls are.
 enum class BallModel {
   quasi_static,  ///< springs without mass, both contacts in line
   inertial       ///< with centrifugal force and gyroscopic moment, each in its own balance (laws/ball_balance.h)
@@ -77,7 +78,7 @@ struct TouchdownBearingData {
   CoulombFriction friction;
   std::optional<StickingFriction> sticking;  ///< none: regularised friction
 
-  double f1_z = 0, f1_y = 0;  ///< f1 = z (P/C0)^y
+  double f1_z = 0, f1_y = 0;  ///< f1 = z (P0/C0)^y
   double static_rating = 0;   ///< C0 of all rows together [N]
   double f2 = 0;
   double drag_viscosity = 0;       ///< [m^2/s]
@@ -277,8 +278,7 @@ class TouchdownBearing final : public Support {
   void press_at_point(const Contact& contact, double share, std::span<double> shape_forces) const;
   [[nodiscard]] Contact contact_over_arc(const SupportInput& input, const Expansion& growth, std::span<const double> y,
                                          const Bodies& at, double share, std::span<double> shape_forces) const;
-  [[nodiscard]] double arc_energy(const SupportInput& input, const Expansion& growth, std::span<const double> y,
-                                  const Bodies& at) const;
+  [[nodiscard]] double arc_energy(const Expansion& growth, std::span<const double> y, const Bodies& at) const;
   [[nodiscard]] std::shared_ptr<const ArcTable> make_arc_table() const;
   void find_arc(std::span<const double> y, const Bodies& at, double distance, double gap, double bound, Arc& arc) const;
   [[nodiscard]] double farthest_bend(std::span<const double> y) const;

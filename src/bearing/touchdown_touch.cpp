@@ -135,7 +135,7 @@ double TouchdownBearing::contact_energy(const SupportInput& in, const Expansion&
   const Motion& j = in.journal;
   double U = 0.;
   const auto add = [&](const BoreSlice& slice, const Bodies& at) {
-    U += slice.share * (arc_table_ ? arc_energy(in, growth, y, at)
+    U += slice.share * (arc_table_ ? arc_energy(growth, y, at)
                                    : data_.contact.energy(contact<true>(numbers_, in, growth, y, at).penetration));
     if (data_.sticking) U += slice.share * data_.sticking->energy(bristle(y, slice.number));
   };

@@ -11,15 +11,6 @@ double ball_spin_ratio(double d, double d_m, double phi) {
   return 0.5 * d_m / d * (1. - gamma * gamma);
 }
 
-double effective_spin_inertia(double ring_inertia, int n_balls, double ball_mass, double d, double d_m, double phi,
-                              double cage_inertia) {
-  const double cage = cage_speed_ratio(d, d_m, phi);
-  const double ball = ball_spin_ratio(d, d_m, phi) - cage;  // rolls backwards in the cage's frame, which turns forwards
-  const double ball_inertia = 0.1 * ball_mass * d * d;      // solid sphere, 2/5 m (d/2)^2
-  return ring_inertia + n_balls * (ball_mass * 0.25 * d_m * d_m * cage * cage + ball_inertia * ball * ball) +
-         cage_inertia * cage * cage;
-}
-
 double pitch_angle_outer_race_control(double phi_o, double d, double d_m) {
   return std::atan2(std::sin(phi_o), std::cos(phi_o) + d / d_m);  // eq. (14)
 }

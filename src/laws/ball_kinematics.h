@@ -9,12 +9,6 @@ double cage_speed_ratio(double ball_diameter, double pitch_diameter, double cont
 /// Ball spin relative to the cage over inner-ring speed (magnitude), (d_m/d)(1 - gamma^2)/2: rolling on both races.
 double ball_spin_ratio(double ball_diameter, double pitch_diameter, double contact_angle);
 
-/// Spin inertia of an inner ring with the balls and cage that it drives [kg m^2]:
-///   J = J_ring + Z m_b (d_m/2)^2 (w_c/w_i)^2 + Z J_b (w_b/w_i)^2 + J_cage (w_c/w_i)^2.
-/// w_b is the ball's absolute spin, that relative to the cage less the cage's own; its axis is taken parallel to x.
-double effective_spin_inertia(double ring_inertia, int n_balls, double ball_mass, double ball_diameter,
-                              double pitch_diameter, double contact_angle, double cage_inertia);
-
 /// Spin of a ball against the races, about the contact normals [rad/s].
 struct SpinSpeeds {
   double inner;  ///< omega_si = omega_ci sin phi_i + omega_b sin(phi_i - theta)

@@ -37,11 +37,4 @@ double fitted_contact_stiffness(double force, double approach, double exponent) 
   return force / std::pow(approach, exponent);
 }
 
-double palmgren_contact_stiffness(double length, int n_contacts) {
-  constexpr double n = 10. / 9.;
-  // The rule is unit-bound: millimetres and newtons.
-  const double per_mm = std::pow(std::pow(length * 1e3, 0.8) / (3.84e-5 * n_contacts), n);
-  return per_mm * std::pow(1e3, n);
-}
-
 }  // namespace rotordrop

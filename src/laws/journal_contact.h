@@ -31,14 +31,4 @@ double line_contact_approach(const JournalInBore& bodies, double force);
 /// K of F = K delta^n [N/m^n] that has the approach of the bodies at one force [N].
 double fitted_contact_stiffness(double force, double approach, double exponent);
 
-/// K of F = K delta^(10/9) [N/m^(10/9)] by Palmgren's rule for one contact of a steel roller and a race.
-///
-///   delta = 3.84e-5 F^0.9 / L^0.8   [mm, N]
-///
-/// Source: Palmgren (1959); Harris & Kotzalas, Rolling Bearing Analysis (2006), sec. 6.4.
-/// Valid:  steel on steel; fitted to rollers, whose radii it does not ask for.
-/// @param length  [m]
-/// @param n_contacts  in series, 1 or 2: K / n^(10/9)
-double palmgren_contact_stiffness(double length, int n_contacts);
-
 }  // namespace rotordrop

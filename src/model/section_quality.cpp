@@ -45,29 +45,4 @@ MeshQuality mesh_quality(const SectionMesh& mesh) {
   return q;
 }
 
-double body_area(const SectionMesh& mesh, std::size_t body) {
-  double area = 0.;
-  for (const auto& cell : mesh.cells)
-    if (cell.body == body) {
-      const auto p = corners(mesh, cell);
-      area += 0.5 * cross(difference(p[0], p[2]), difference(p[1], p[3]));
-    }
-  return area;
-}
-
-double boundary_length(const SectionMesh& mesh, const HeatBoundary& boundary) {
-  double sum = 0.;
-  for (const auto& edge : mesh.edges) {
-    if (!(edge.boundary == boundary)) continue;
-    const double chord = length(difference(mesh.vertices.at(edge.vertices[0]), mesh.vertices.at(edge.vertices[1])));
-    if (edge.arc < 0) {
-      sum += chord;
-    } else {
-      const double radius = mesh.arcs.at(static_cast<std::size_t>(edge.arc)).radius;
-      sum += 2. * radius * std::asin(0.5 * chord / radius);
-    }
-  }
-  return sum;
-}
-
 }  // namespace rotordrop

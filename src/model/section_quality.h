@@ -13,9 +13,4 @@ struct MeshQuality {
 };
 MeshQuality mesh_quality(const SectionMesh& mesh);
 
-/// Area of a body's cells, straight-sided [m^2].
-double body_area(const SectionMesh& mesh, std::size_t body);
-/// Length of an outline's part, along its arcs [m].
-double boundary_length(const SectionMesh& mesh, const HeatBoundary& boundary);
-
 }  // namespace rotordrop

@@ -146,32 +146,4 @@ WhirlModes ModalAnalysis::whirl_modes(double spin_speed, const std::vector<Linea
   return result;
 }
 
-SynchronousResponse ModalAnalysis::unbalance_response(double spin_speed, const std::vector<Unbalance>& unbalance,
-                                                      const std::vector<LinearSupportAtNode>& supports) const {
-  const Eigen::Index n = basis_->n_modes();
-  const LinearSystem system = linear_system(*basis_, options_, spin_speed, supports);
-  const Complex i(0, 1);
-  // f_y = me omega^2 cos(omega t + a), f_z = me omega^2 sin(omega t + a): the z force lags by a quarter turn, factor
-  // -i.
-  Eigen::VectorXcd f = Eigen::VectorXcd::Zero(2 * n);
-  for (const auto& spot : unbalance) {
-    const Complex force = spot.me * spin_speed * spin_speed * std::polar(1.0, spot.angle) / basis_->body.mass;
-    const Eigen::VectorXd deflection = basis_->shape.row(2 * spot.node - 2).transpose();
-    f.head(n) += force * deflection;
-    f.tail(n) += -i * force * deflection;
-  }
-  Eigen::MatrixXcd dynamic_stiffness =
-      system.stiffness.cast<Complex>() + i * spin_speed * system.damping.cast<Complex>();
-  dynamic_stiffness.diagonal().array() -= spin_speed * spin_speed;
-  const Eigen::VectorXcd q = dynamic_stiffness.partialPivLu().solve(f);
-  const Eigen::VectorXcd deflections = node_deflections(*basis_, q);
-  const Eigen::Index n_nodes = deflections.size() / 2;
-  SynchronousResponse response;
-  response.v.assign(deflections.data(), deflections.data() + n_nodes);
-  response.w.assign(deflections.data() + n_nodes, deflections.data() + 2 * n_nodes);
-  response.q_y.assign(q.data(), q.data() + n);
-  response.q_z.assign(q.data() + n, q.data() + 2 * n);
-  return response;
-}
-
 }  // namespace rotordrop

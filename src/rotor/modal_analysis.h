@@ -54,13 +54,6 @@ struct CriticalSpeed {
   double damping_ratio = 0;  ///< of the mode at this speed
 };
 
-/// Steady synchronous response: displacement = Re(v exp(i omega t)), spin angle = omega t.
-struct SynchronousResponse {
-  std::vector<std::complex<double>> v, w;  ///< [n_nodes] along y and z [m]
-  /// [n_modes] in the coordinates of ModalRotor with the same cut-off [m]; at t = 0 they are Re(q), rates Re(i omega q)
-  std::vector<std::complex<double>> q_y, q_z;
-};
-
 struct ModalAnalysisOptions {
   double modal_damping = 0;            ///< ratio of every flexible free-free mode
   double mass_proportional_alpha = 0;  ///< [1/s] on every mode
@@ -93,9 +86,6 @@ class ModalAnalysis {
   /// @param up_to  [rad/s], > 0
   [[nodiscard]] std::vector<CriticalSpeed> critical_speeds(double up_to,
                                                            const std::vector<LinearSupportAtNode>& supports) const;
-  /// Response to unbalance at constant spin; needs supports that hold the rotor or a spin above 0.
-  [[nodiscard]] SynchronousResponse unbalance_response(double spin_speed, const std::vector<Unbalance>& unbalance,
-                                                       const std::vector<LinearSupportAtNode>& supports) const;
 
  private:
   /// Damped frequencies of all coordinates [rad/s], falling; 0 for those that do not oscillate.

@@ -102,10 +102,9 @@ class ModalRotor final : public RotorModel {
   /// @param motion_of_centre_of_gravity  displacement, tilt and their rates; see straight_line() and orbit()
   /// @param y                            [n_state]
   void initial_rigid_state(const Motion& motion_of_centre_of_gravity, const Spin& spin, std::span<double> y) const;
-  /// Adds to a state how the flexible modes bend at rest under forces on the stations [n_stations] and uniform gravity.
+  /// Adds to a state how the flexible modes bend at rest under the forces along y and z on the stations [n_stations]. Moments are left out; uniform
+  /// gravity bends no free-free mode.
   void add_static_deflection(std::span<const Force> force_on_station, std::span<double> y) const;
-  /// Motion of every node [n_nodes]; for pictures and tests, not for the hot path.
-  void node_motions(std::span<const double> y, std::span<Motion> out) const;
   /// Displacement of a node per unit of a modal coordinate [-]. @param node  numbered from 1; @param mode  from 0
   [[nodiscard]] double mode_shape(int node, std::size_t mode) const;
   /// Torque of motor or brake [N m].
@@ -116,7 +115,6 @@ class ModalRotor final : public RotorModel {
   [[nodiscard]] std::size_t n_modes() const { return n_modes_; }
   [[nodiscard]] std::size_t n_nodes() const { return n_nodes_; }
   /// Axial position of a station [m].
-  [[nodiscard]] double station_position(std::size_t station) const { return station_position_[station]; }
   /// Natural frequencies of the modes of one plane [n_modes] [Hz]; the first two are rigid, 0.
   [[nodiscard]] std::vector<double> mode_frequencies() const;
 
@@ -156,7 +154,6 @@ class ModalRotor final : public RotorModel {
   AlignedNumbers unbalance_sin_;    // [modes] sum of me sin(a) Phi / m
   AlignedNumbers force_influence_;  // [n_stations][force, moment][modes] acceleration per unit force
   Shapes station_shape_, node_shape_;
-  std::vector<double> station_position_;
   TimeTable drive_torque_;
   std::optional<Windage> windage_;
   std::optional<AxialMotion> axial_;

@@ -153,12 +153,6 @@ void ModalRotor::motions(std::span<const double> y, std::span<Motion> out) const
   if (axial_) add_axial_motion(y, out);
 }
 
-void ModalRotor::node_motions(std::span<const double> y, std::span<Motion> out) const {
-  assert(y.size() == n_state() && out.size() == n_nodes_);
-  wide<Kernels::motions>(node_shape_, y.data(), 0, n_nodes_, out.data());
-  if (axial_) add_axial_motion(y, out);
-}
-
 Motion ModalRotor::node_motion(int node, std::span<const double> y) const {
   assert(y.size() == n_state() && node >= 1 && static_cast<std::size_t>(node) <= n_nodes_);
   Motion motion;

@@ -34,7 +34,6 @@ struct Difference {
   double time_beyond = 0;        ///< how long it is larger, altogether [s]
   std::optional<double> beyond;  ///< from when it first is [s]; none: never
   std::optional<double> within;  ///< from when it stays within to the end [s]; none: it ends beyond
-  [[nodiscard]] bool is_always_within() const { return !beyond; }
 
   /// The sample until a time [s] that is farthest from what is allowed (or nearest to it).
   struct Worst {

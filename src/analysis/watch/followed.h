@@ -191,7 +191,5 @@ struct FollowedLoadOf {
 using FollowedPeak = FollowedPeakOf<double>;
 using FollowedRange = FollowedRangeOf<double>;
 using FollowedDemand = FollowedDemandOf<double>;
-using FollowedTruncation = FollowedTruncationOf<double>;
-using FollowedLoad = FollowedLoadOf<double>;
 
 }  // namespace rotordrop

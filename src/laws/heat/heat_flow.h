@@ -1,5 +1,5 @@
 #pragma once
-// Laws of heat: free convection, contact constriction, share of rubbing heat.
+// Laws of heat: free convection, share of rubbing heat.
 #include "base/real.h"
 
 namespace rotordrop {
@@ -10,10 +10,6 @@ template <class Real>
 Real housing_convection(const Real& rise) {
   return 23. * sqrt(sqrt(larger(rise, Real(0.))));
 }
-
-/// Static constriction resistance of one elliptic contact spot, K(e)/(2 pi a) (1/k_1 + 1/k_2) [K/W].
-/// @param semi_major_axis a [m]; @param first_kind K(e)
-double elliptic_constriction(double semi_major_axis, double first_kind, double k_1, double k_2);
 
 /// Share of the rubbing heat that enters the ring, after Blok and Jaeger, from the time that a point of each surface
 /// spends under the band of heat:

@@ -117,11 +117,6 @@ double MovingBand::largest_rise(double t) const {
   return largest([&](double place) { return rise(place * half_width, t); });
 }
 
-double MovingBand::largest_steady_rise() const {
-  if (speed == 0.) return std::numeric_limits<double>::infinity();
-  return largest([&](double place) { return steady_rise((speed < 0. ? -1. : 1.) * place * half_width); });
-}
-
 double MovingBand::largest_rise_estimate(double t) const {
   constexpr double p = 1.4;
   const double L = peclet(), n = 1.4 + 1.6 * std::sqrt(L);

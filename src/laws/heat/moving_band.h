@@ -34,9 +34,8 @@ struct MovingBand {
   /// by the integrals of exp(u) K0(u) and exp(-u) K0(u), which are closed (Bessel functions K0, K1).
   [[nodiscard]] double steady_rise(double x) const;
 
-  /// The largest of these rises, found by search. A band at rest (v = 0) has none without end: infinity.
+  /// The largest rise after the time t [s], found by search.
   [[nodiscard]] double largest_rise(double t) const;
-  [[nodiscard]] double largest_steady_rise() const;
 
   /// The largest rise in one expression, within 4 % of largest_rise() for all L and t, and exact at the ends of both:
   ///   theta(Fo) = 2 sqrt(Fo/pi) erf(1/(2 sqrt(Fo))) + E1(1/(4 Fo))/pi,  T = (q b/k) theta: a band at rest, Carslaw & Jaeger 10.5

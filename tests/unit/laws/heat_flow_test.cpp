@@ -1,6 +1,4 @@
-// Convection from the housing, constriction, Jaeger's share.
-//
-// CIRCULAR SPOT: K = pi/2, so the constriction is 1/(4 a k) a side.
+// Convection from the housing, Jaeger's share.
 //
 // JAEGER. Two half-spaces share a heat q so that their surfaces' rises agree; one heated for a time t under a flux q rises by 2 q sqrt(t/pi)/e.
 // A point of a moving surface is under the band for t = band / |v|, of a surface at rest for the contact's duration. So
@@ -24,12 +22,6 @@ TEST(HousingConvection, IsTwentyThreeTimesTheFourthRoot) {
   EXPECT_NEAR(housing_convection(1.), 23., 1e-12) << "W/m2 K";
   EXPECT_EQ(housing_convection(0.), 0.);
   EXPECT_EQ(housing_convection(-5.), 0.) << "a housing colder than the surroundings exchanges nothing";
-}
-
-TEST(Constriction, OfACircularSpotIsTheTextbookOne) {
-  EXPECT_NEAR(elliptic_constriction(0.4e-3, 0.5 * pi, 70., 35.), 1. / (4. * 0.4e-3 * 70.) + 1. / (4. * 0.4e-3 * 35.),
-              1e-12)
-      << "K/W";
 }
 
 TEST(JaegerShare, GivesTheRotorMostWhileTheRingRests) {

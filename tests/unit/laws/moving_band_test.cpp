@@ -28,6 +28,16 @@ constexpr double k = 46., rho_c = 7800. * 460., kappa = k / rho_c;  // steel
 
 MovingBand band_of(double L, double b = 0.5e-3, double q = 1e8) { return {b, 2. * kappa * L / b, q, k, rho_c}; }
 double unit_of(const MovingBand& band) { return band.flux * band.half_width / k; }
+/// The largest of steady_rise() between the band's edges, where it has one maximum: by thirds.
+double largest_steady_rise(const MovingBand& band) {
+  double low = -band.half_width, high = band.half_width;
+  while (high - low > 1e-9 * band.half_width) {
+    const double first = low + (high - low) / 3., second = high - (high - low) / 3.;
+    (band.steady_rise(first) < band.steady_rise(second) ? low : high) =
+        band.steady_rise(first) < band.steady_rise(second) ? first : second;
+  }
+  return band.steady_rise(0.5 * (low + high));
+}
 
 TEST(MovingBand, IsJaegersIntegral) {
   boost::math::quadrature::tanh_sinh<double> quadrature;
@@ -59,7 +69,7 @@ TEST(MovingBand, ComesToTheSteadyRiseInTheEnd) {
 TEST(MovingBand, ThatIsFastHeatsLikeAPlaneSourceForItsPassage) {
   const auto band = band_of(1e4);
   const double passage = 2. * band.half_width / band.speed;
-  EXPECT_NEAR(band.largest_steady_rise() / surface_rise(band.flux, passage, k, rho_c), 1., 1e-3);
+  EXPECT_NEAR(largest_steady_rise(band) / surface_rise(band.flux, passage, k, rho_c), 1., 1e-3);
   EXPECT_NEAR(band.largest_rise_estimate() / surface_rise(band.flux, passage, k, rho_c), 1., 1e-3);
   EXPECT_NEAR(band.largest_rise(0.25 * passage) / surface_rise(band.flux, 0.25 * passage, k, rho_c), 1., 1e-3);
 }
@@ -67,7 +77,7 @@ TEST(MovingBand, ThatIsFastHeatsLikeAPlaneSourceForItsPassage) {
 TEST(MovingBand, ThatCreepsHasTheLogarithmOfItsSpeed) {
   const auto band = band_of(1e-4);
   const double theta = 2. / pi * (1. - egamma + std::log(2. / 1e-4));
-  EXPECT_NEAR(band.largest_steady_rise() / unit_of(band), theta, 1e-4 * theta);
+  EXPECT_NEAR(largest_steady_rise(band) / unit_of(band), theta, 1e-4 * theta);
   EXPECT_NEAR(band.largest_rise_estimate() / unit_of(band), theta, 1e-3 * theta);
 }
 
@@ -81,7 +91,7 @@ TEST(MovingBand, AtRestIsTheClosedForm) {
     EXPECT_NEAR(band.largest_rise(t) / unit_of(band), theta, 1e-7 * theta) << "Fo = " << Fo;
     EXPECT_NEAR(band.largest_rise_estimate(t) / unit_of(band), theta, 1e-12 * theta) << "Fo = " << Fo;
   }
-  EXPECT_EQ(band.largest_steady_rise(), std::numeric_limits<double>::infinity());
+  EXPECT_EQ(band.steady_rise(0.), std::numeric_limits<double>::infinity());
   EXPECT_EQ(band.largest_rise_estimate(), std::numeric_limits<double>::infinity());
 }
 
@@ -90,14 +100,14 @@ TEST(MovingBand, DoesNotMindWhichWayItGoes) {
   back.speed = -back.speed;
   EXPECT_EQ(there.steady_rise(1e-4), back.steady_rise(-1e-4));
   EXPECT_EQ(there.rise(1e-4, 1e-3), back.rise(-1e-4, 1e-3));
-  EXPECT_NEAR(there.largest_steady_rise(), back.largest_steady_rise(), 1e-6 * there.largest_steady_rise());
+  EXPECT_NEAR(largest_steady_rise(there), largest_steady_rise(back), 1e-6 * largest_steady_rise(there));
 }
 
 TEST(MovingBand, HasAnEstimateWithinFourPercentForAllSpeedsAndTimes) {
   double worst = 0.;
   for (double L = 1e-3; L < 2e3; L *= 4.) {
     const auto band = band_of(L);
-    worst = std::max(worst, std::fabs(band.largest_rise_estimate() / band.largest_steady_rise() - 1.));
+    worst = std::max(worst, std::fabs(band.largest_rise_estimate() / largest_steady_rise(band) - 1.));
     const double scale = (1. / L + 0.56 / (L * L)) * band.half_width * band.half_width / kappa;
     for (double f = 0.03; f < 40.; f *= 2.2)
       worst = std::max(worst, std::fabs(band.largest_rise_estimate(f * scale) / band.largest_rise(f * scale) - 1.));
@@ -168,7 +178,7 @@ TEST(SweptArc, OfAFastSpotEndsAtTheFastBandsRise) {
   const MovingBand band{b, v, flux_of(4e3), k, rho_c};
   EXPECT_GT(band.peclet(), 100.);
   EXPECT_NEAR(largest / surface_rise(band.flux, 2. * b / v, k, rho_c), 1., 0.01);
-  EXPECT_NEAR(largest / band.largest_steady_rise(), 1., 0.02) << "straight down, against heat that spreads";
+  EXPECT_NEAR(largest / largest_steady_rise(band), 1., 0.02) << "straight down, against heat that spreads";
   EXPECT_NEAR(arc.state().arc_total, v * 999 * 5e-6 / radius, 1e-9) << "rad; the first interval has no beginning";
   EXPECT_NEAR(arc.state().heated_arc, (v * 999 * 5e-6 + 2. * b) / radius, 3. * 2. * pi / 4000.) << "rad";
 }

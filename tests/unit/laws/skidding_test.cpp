@@ -4,7 +4,8 @@
 // turns with omega_c x - omega_b a, a = (cos phi, -sin phi) square to n, and travels with r_m omega_c t. Everything is done with cross products and
 // the speed ratios of laws/ball_kinematics.h, then compared.
 //
-// AT phi = 0 a row adds 0.35 Z m r_i^2 to the ring's spin inertia (ball_kinematics_test.cpp). The inner race drives it with Z T_i at r_i, so T_i = 0.35 m r_i omega_i'.
+// AT phi = 0 a ball travels with v = r_i omega_i / 2 and rolls with 2 v / d, so its energy m v^2 / 2 + (m d^2 / 10) (2 v / d)^2 / 2 = 0.7 m v^2 is that of
+// 0.35 m r_i^2 more of the ring's spin inertia. The inner race drives the row with Z T_i at r_i, so T_i = 0.35 m r_i omega_i'.
 #include "laws/skidding.h"
 
 #include <gtest/gtest.h>
@@ -41,7 +42,7 @@ TEST(RollingTractions, DoTheWorkThatTheBallsTakeUp) {
   const int Z = 23;
   const double speed = 900., rate = 2e4, r_i = 0.5 * (d_m - d);
   const auto T = rolling_tractions(m, acceleration(0., rate));
-  const double J_balls = effective_spin_inertia(0., Z, m, d, d_m, 0., 0.);
+  const double J_balls = Z * 0.35 * m * r_i * r_i;
   EXPECT_NEAR(Z * T.inner * r_i * speed / (J_balls * speed * rate), 1., 1e-14) << "the outer race stands and does none";
   EXPECT_NEAR(T.inner, 0.35 * m * r_i * rate, 1e-14) << "N";
 
@@ -90,7 +91,8 @@ TEST(OuterContact, TakesTheInnerLoadAndTheCentrifugalForce) {
 TEST(RollingDemand, ComparesWhatARowAsksForWithItsFriction) {
   // Ten balls of 1 kg at 1 m/s2: 7 N inside, 3 N outside.
   EXPECT_NEAR(rolling_demand({140., 1e9, 0., 0., 0., 0., 0.}, 10, 1., 1., 0.1), 0.5, 1e-15) << "7 N of 14 N";
-  EXPECT_NEAR(rolling_demand({1e9, 100., 4., 0., 0., 0., 0.}, 10, 1., 1., 0.1), 0.5, 1e-15) << "3 N along, 4 N across, of 10 N";
+  EXPECT_NEAR(rolling_demand({1e9, 100., 4., 0., 0., 0., 0.}, 10, 1., 1., 0.1), 0.5, 1e-15)
+      << "3 N along, 4 N across, of 10 N";
 }
 
 TEST(TractionDemand, IsFiniteWithoutLoadOrFriction) {

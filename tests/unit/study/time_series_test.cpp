@@ -55,7 +55,7 @@ TEST(Difference, ThatEndsBeyondIsNeverWithinForGood) {
   const Difference d = difference_of(zero, line, {1.});
   EXPECT_FALSE(d.within);
   EXPECT_NEAR(d.time_beyond, 2., 1e-14);
-  EXPECT_FALSE(d.is_always_within());
+  EXPECT_TRUE(d.beyond);
 }
 
 // A step from -2 to +2 between two samples is within the tolerance of 1 only in the middle half.
@@ -72,7 +72,7 @@ TEST(Difference, SeesBothCrossingsBetweenTwoSamples) {
 TEST(Difference, WithinThroughoutIsWithinFromTheBeginning) {
   const TimeSeries a{{2., 3.}, {0., 0.}}, b{{2., 3.}, {0.5, -0.5}};
   const Difference d = difference_of(a, b, {0.6});
-  EXPECT_TRUE(d.is_always_within());
+  EXPECT_FALSE(d.beyond);
   ASSERT_TRUE(d.within);
   EXPECT_EQ(*d.within, 2.);
   EXPECT_EQ(d.time_beyond, 0.);

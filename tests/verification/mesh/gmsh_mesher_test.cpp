@@ -21,6 +21,7 @@
 #include "case/case.h"
 #include "machine/heat/bearing_mesh_data.h"
 #include "model/section_quality.h"
+#include "section_measures.h"
 #include "thermal/fe/gmsh_mesher.h"
 #include "thermal/section/bearing_section.h"
 #include "thermal/section/own_section.h"
@@ -29,6 +30,9 @@ extern "C" rotordrop::SectionMesher* rotordrop_section_mesher();
 
 namespace rotordrop {
 namespace {
+
+using testing::body_area;
+using testing::boundary_length;
 
 namespace fs = std::filesystem;
 

@@ -25,6 +25,7 @@
 namespace rotordrop {
 namespace {
 
+using testing::node_motions;
 using testing::reference_rotor;
 using testing::rpm;
 using testing::uniform_beam;
@@ -114,9 +115,7 @@ TEST(ModalRotor, WithAllModesAcceleratesAsTheFiniteElementMatrices) {
 
   // Node motions of y hold positions and velocities; those of dydt hold velocities and accelerations.
   const auto n_nodes = static_cast<std::size_t>(geometry.n_nodes());
-  std::vector<Motion> motion(n_nodes), change(n_nodes);
-  rotor.node_motions(y, motion);
-  rotor.node_motions(dydt, change);
+  const std::vector<Motion> motion = node_motions(rotor, y), change = node_motions(rotor, dydt);
   const auto n = static_cast<Eigen::Index>(2 * n_nodes);
   Eigen::VectorXd q_y(n), q_z(n), v_y(n), v_z(n), a_y(n), a_z(n), f_y = Eigen::VectorXd::Zero(n), f_z = f_y, ones = f_y;
   for (std::size_t k = 0; k < n_nodes; ++k) {
@@ -172,9 +171,7 @@ TEST(ModalRotor, FallsFreelyAsARigidBodyThatDoesNotBend) {
     rotor.rates(0, middle, none, k);
     for (std::size_t i = 0; i < y.size(); ++i) y[i] += t / n_steps * k[i];
   }
-  std::vector<Motion> motion(31);
-  rotor.node_motions(y, motion);
-  for (const auto& m : motion) {
+  for (const auto& m : node_motions(rotor, y)) {
     EXPECT_NEAR(m.y, -250e-6, 1e-15) << "m";
     EXPECT_NEAR(m.velocity_y, -0.0700, 5e-5) << "m/s";
     EXPECT_EQ(m.z, 0);
@@ -268,15 +265,15 @@ TEST(ModalRotor, StartsAsAStraightLineThroughTwoPointsAndMovesAsARigidBody) {
   const auto geometry = reference_rotor();
   const ModalRotor rotor(geometry, {}, {2, 28});
   std::vector<double> y(rotor.n_state());
-  const double x1 = rotor.station_position(0), x2 = rotor.station_position(1), x_cg = rotor.body().centre_of_gravity;
+  const double x1 = geometry.position(2), x2 = geometry.position(28), x_cg = rotor.body().centre_of_gravity;
   Motion start = straight_line(x1, -19e-6, 3e-6, x2, 1e-6, -2e-6, x_cg);
   start.velocity_y = 0.01;
   start.tilt_rate_y = 0.2;
   start.tilt_rate_z = -0.3;
   rotor.initial_rigid_state(start, {0.5, 1000}, y);
-  std::vector<Motion> station(2), node(31);
+  std::vector<Motion> station(2);
   rotor.motions(y, station);
-  rotor.node_motions(y, node);
+  const std::vector<Motion> node = node_motions(rotor, y);
   EXPECT_NEAR(station[0].y, -19e-6, 1e-18);
   EXPECT_NEAR(station[0].z, 3e-6, 1e-18);
   EXPECT_NEAR(station[1].y, 1e-6, 1e-18);

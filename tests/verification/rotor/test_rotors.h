@@ -44,6 +44,13 @@ inline RotorGeometry uniform_beam(int n_elements, double od, double id = 0) {
   return geometry;
 }
 
+/// Motion of every node [n_nodes].
+inline std::vector<Motion> node_motions(const ModalRotor& rotor, std::span<const double> y) {
+  std::vector<Motion> motions;
+  for (std::size_t k = 0; k < rotor.n_nodes(); ++k) motions.push_back(rotor.node_motion(static_cast<int>(k) + 1, y));
+  return motions;
+}
+
 /// One evaluation of a rotor whose station s rests on supports[s]: rates, and what rotor and supports report.
 struct HeldRotor {
   const ModalRotor& rotor;
