@@ -375,6 +375,9 @@ class InterruptedHeat(ProgramTest):
         text = (PARAMS / "heat/bearing.toml").read_text()
         text = re.sub(r"(?m)^base = .*$", 'base = "reference.toml"', text)
         text = re.sub(r"(?m)^output_times = .*$", 'output_times = ["1000 s"]', text)
+        # Heat that changes every millisecond: each change begins with short steps.
+        n = 40_000
+        text += f'[[heat.source]]\nport = "inner"\ntimes = {[round(i * 1e-3, 3) for i in range(n)]}\nvalues = {[0, 50] * (n // 2)}\n'
         summary = self.is_stopped_between_outputs(text, signal.SIGTERM, 143)
         for name, energy in summary["energy"].items():  # one model may be at the end, the other within its steps
             self.assertAlmostEqual(energy["residual"], 0., delta=1e-6 * energy["input"] + 1e-9, msg=name)

@@ -244,6 +244,31 @@ values = ["{WATTS} W"]
         self.assertGreater(rises["lump", "windowed"]["shaft"], meshed["shaft"])
         self.assertLess(rises["bearing", "windowed"]["shaft"], meshed["shaft"])
 
+    def test_heat_for_days_takes_few_steps(self):
+        """Explicit steps alone would be 3e9: they stay below 0.07 ms. In steady heat modes and mesh agree to thermal.fe.response_tolerance, and what goes in is lost."""
+        text = f'''
+[thermal]
+models = ["fe"]
+shaft = "fin"
+fe = {{ shaft = "bearing", coupling = "COUPLING" }}
+[heat]
+bearing = "TB2"
+output_times = ["1e5 s", "2e5 s"]
+[[heat.source]]
+port = "rub"
+times = [0]
+values = ["{WATTS} W"]
+'''
+        rises = {}
+        for coupling in ("reduced", "windowed"):
+            of_all, summary = self.heat(text.replace("COUPLING", coupling), {})
+            rises[coupling] = of_all["fe.shaft"]
+            energy = summary["energy"]["fe"]
+            self.assertAlmostEqual(energy["input"], WATTS * 2e5, delta=1e-6 * WATTS * 2e5)
+            self.assertLess(abs(energy["residual"]), 1e-7 * energy["input"])
+            self.assertLess(summary["models"]["fe"]["steps"], 50_000)
+        self.assertLess(abs(rises["reduced"] / rises["windowed"] - 1), 0.005, "thermal.fe.response_tolerance")
+
     def test_a_drop_and_steady_running_take_it(self):
         case = self.case('thermal = { models = ["fe"], fe = { shaft = "beyond" } }\n')
         for coupling in ("reduced", "windowed"):

@@ -69,26 +69,26 @@ ROTORDROP_KERNEL InertialSums<double> over_lanes(const InertialSums<Sum>& sum, b
   double a[8], b[8];
   Sum::sum_lanes({sum.fx, sum.fy, sum.fz, sum.dissipated, sum.radial, sum.axial, sum.inner, sum.outer}, a);
   Sum::sum_lanes({sum.cage, sum.power, sum.by_inner, sum.by_outer, sum.per_force, sum.waviness, sum.my, sum.mz}, b);
-  return {a[0],
-          a[1],
-          a[2],
-          a[3],
-          a[4],
-          a[5],
-          a[6],
-          a[7],
-          b[0],
-          b[1],
-          b[2],
-          b[3],
-          b[4],
-          b[5],
-          b[6],
-          b[7],
-          sums_roots ? sum.inner_roots.sum() : 0.,
-          sums_roots ? sum.outer_roots.sum() : 0.,
-          largest(sum.largest),
-          largest(sum.largest_outer)};
+  return {.fx = a[0],
+          .fy = a[1],
+          .fz = a[2],
+          .dissipated = a[3],
+          .radial = a[4],
+          .axial = a[5],
+          .inner = a[6],
+          .outer = a[7],
+          .cage = b[0],
+          .power = b[1],
+          .by_inner = b[2],
+          .by_outer = b[3],
+          .per_force = b[4],
+          .waviness = b[5],
+          .my = b[6],
+          .mz = b[7],
+          .inner_roots = sums_roots ? sum.inner_roots.sum() : 0.,
+          .outer_roots = sums_roots ? sum.outer_roots.sum() : 0.,
+          .largest = largest(sum.largest),
+          .largest_outer = largest(sum.largest_outer)};
 }
 
 template <GrooveMotion motion, bool is_bent, bool is_split>

@@ -23,15 +23,18 @@ struct BallInRow {
 /// Sums over the balls of a row, in the cage's frame.
 template <class Real>
 struct InertialSums {
-  Real fx = 0, fy = 0, fz = 0, my = 0, mz = 0;   // on the inner ring [N], [N m]
-  Real radial = 0, axial = 0;                    // work per growth of B_r, B_x [N]
-  Real inner = 0, outer = 0;                     // loads of either race [N]
-  Real by_inner = 0, by_outer = 0;               // inertia's work per growth of a contact's deflection [N]
-  Real largest = 0, largest_outer = 0;           // load of a ball [N]
-  Real inner_roots = 0, outer_roots = 0;         // of loads [N^(1/3)]
-  Real cage = 0;                                 // torque over the cage's turning [N m]
-  Real dissipated = 0, power = 0, waviness = 0;  // in the contacts; of inertia; of the waves' travel [W]
-  Real per_force = 0;                            // work per relative change of F_0 [J]
+  Real fx = 0, fy = 0, fz = 0;            // on the inner ring [N]
+  Real dissipated = 0;                    // in the contacts [W]
+  Real radial = 0, axial = 0;             // work per growth of B_r, B_x [N]
+  Real inner = 0, outer = 0;              // loads of either race [N]
+  Real cage = 0;                          // torque over the cage's turning [N m]
+  Real power = 0;                         // of inertia [W]
+  Real by_inner = 0, by_outer = 0;        // inertia's work per growth of a contact's deflection [N]
+  Real per_force = 0;                     // work per relative change of F_0 [J]
+  Real waviness = 0;                      // by the waves' travel [W]
+  Real my = 0, mz = 0;                    // on the inner ring [N m]
+  Real inner_roots = 0, outer_roots = 0;  // of loads [N^(1/3)]
+  Real largest = 0, largest_outer = 0;    // load of a ball [N]
 };
 
 /// A row of balls with inertia at an instant.
