@@ -69,9 +69,6 @@ inline constexpr std::array own_pairs{OwnPair{IntegrationMethod::tsitouras, &tsi
 [[nodiscard]] constexpr bool is_own_pair(IntegrationMethod method) {
   return std::ranges::find(own_pairs, method, &OwnPair::method) != own_pairs.end();
 }
-static_assert(std::ranges::all_of(integration_methods, [](const MethodKind& kind) {
-  return is_own_pair(kind.method) == (kind.make == make_embedded_pair);
-}));
 
 /// @param method  is_own_pair()
 [[nodiscard]] inline const EmbeddedTableau& tableau_of(IntegrationMethod method) {

@@ -197,5 +197,10 @@ TEST(OwnPairs, AreAllTested) {
         << kind.name;
 }
 
+TEST(OwnPairs, AreThoseThatTheirMakerMakes) {
+  for (const MethodKind& kind : integration_methods)
+    EXPECT_EQ(is_own_pair(kind.method), kind.make == make_embedded_pair) << kind.name;
+}
+
 }  // namespace
 }  // namespace rotordrop
