@@ -54,7 +54,8 @@ double reach_into_bore(const std::vector<BoreWave>& waves, double y, double z) {
   for (int k = 0; k < n; ++k) {
     const double azimuth = 2. * std::numbers::pi * k / n;
     double here = y * std::cos(azimuth) + z * std::sin(azimuth);
-    for (const BoreWave& wave : waves) here += wave.amplitude * std::sin(wave.order * azimuth + wave.phase);
+    for (const BoreWave& wave : waves)
+      here += wave.turned(0.).height(std::sin(wave.order * azimuth), std::cos(wave.order * azimuth));
     reach = std::max(reach, here);
   }
   return reach;
@@ -122,8 +123,7 @@ Machine::Parts machine_parts(const MachineParameters& p, const Node& case_node, 
                              std::shared_ptr<const GrowthHistory> recorded) {
   if (p.thermal.runs_sections()) make_sections(p, *finite_elements, {}, true);
   const std::string driver = driver_of(p.thermal);
-  // What an earlier run recorded holds it if that run had it.
-  const bool grows_by_speed = p.thermal.growth_by_speed != GrowthBySpeed::none && driver != recorded_driver;
+  const bool grows_by_speed = drop_grows_by_speed(p);
   const bool is_elastic = p.thermal.expansion == GrowthSource::elastic && driver_meshes_sections(driver);
   Machine::Parts parts;
   std::vector<int> nodes;

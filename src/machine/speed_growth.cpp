@@ -18,6 +18,10 @@ Expansion ring_growth_by_speed(const MachineParameters& p, const TouchdownParame
   return g;
 }
 
+bool drop_grows_by_speed(const MachineParameters& p) {
+  return p.thermal.growth_by_speed != GrowthBySpeed::none && driver_of(p.thermal) != recorded_driver;
+}
+
 double rotor_growth_by_speed(const MachineParameters& p, const TouchdownParameters& b) {
   const double surface = bore_radius(b, p.contact) - air_gap(b, p.contact);
   const ShaftElement* outermost = nullptr;

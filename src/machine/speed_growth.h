@@ -5,6 +5,9 @@
 // length.
 namespace rotordrop {
 
+/// Whether rings and rotor of a drop grow by their speed. What an earlier run recorded holds such growth if that run had it.
+bool drop_grows_by_speed(const MachineParameters& parameters);
+
 /// Bore, inner raceway and width of a touchdown bearing's inner ring as one of rectangular section, per square of its speed [m s^2]. The raceway's
 /// growth counts where thermal.expansion takes it.
 Expansion ring_growth_by_speed(const MachineParameters& parameters, const TouchdownParameters& bearing);

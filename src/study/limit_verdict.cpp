@@ -79,11 +79,9 @@ std::string why_no_drop(const std::string& name, const SummaryNumbers& told) {
   const std::string bearing = bearing_of_result(name);
   const auto touch = bearing.empty() ? std::nullopt : told_number(told, bearing + "first_touch_time");
   if (!touch) return {};  // a support of another kind, or results of an earlier version
-  if (!std::isfinite(*touch)) return "the rotor did not touch the bearing";
+  if (!std::isfinite(*touch)) return untouched;
   if (is_instant_of_first_contact(name)) return {};
-  return told_value(told, bearing + "ends_in_first_contact") == 1.
-             ? "the run ends in the first contact with the bearing"
-             : "";
+  return told_value(told, bearing + "ends_in_first_contact") == 1. ? in_first_contact : "";
 }
 
 constexpr const char* over_the_edge = "contact ellipses reach over the raceway's edge";

@@ -9,6 +9,10 @@
 // What a drop's numbers say of a limit, and why they may say nothing: of one run, and of many (study/many).
 namespace rotordrop {
 
+/// Why a bearing's results are not those of a drop on it.
+inline constexpr const char *untouched = "the rotor did not touch the bearing",
+                            *in_first_contact = "the run ends in the first contact with the bearing";
+
 /// Numbers of a summary by their dotted names; NaN for what did not happen.
 using SummaryNumbers = std::vector<std::pair<std::string, double>>;
 

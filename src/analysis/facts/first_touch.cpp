@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "machine/speed_growth.h"
-#include "thermal/thermal_parameters.h"
 
 namespace rotordrop {
 namespace {
@@ -50,8 +49,7 @@ std::vector<Fall> falls(const MachineParameters& p) {
     fall.name = name;
     return fall;
   };
-  // As in build_machine.cpp: rings do not turn yet, and a growth that was recorded has all in it.
-  const bool grows = p.thermal.growth_by_speed != GrowthBySpeed::none && driver_of(p.thermal) != recorded_driver;
+  const bool grows = drop_grows_by_speed(p);  // the rotor, as rings do not turn yet
   for (const auto& entry : p.bearings)
     if (const auto* b = entry.touchdown()) {
       Fall fall = fall_at(b->node, entry.name);

@@ -45,18 +45,6 @@ double end_of(const RecordedDrop& drop, const std::string& bearing) {
   return drop.series("/bearings/" + bearing + "/orbit").times.back();
 }
 
-/// The first impact as far as a time: two runs are compared over the time that both have.
-Impact first_impact_until(const RecordedDrop& drop, const std::string& bearing, double until) {
-  Impact impact = first_impact(drop, bearing);
-  if (!std::isfinite(impact.start) || impact.end <= until) return impact;
-  if (impact.start >= until) return {};
-  impact.end = until;
-  const auto peak = largest_of(drop.series("/bearings/" + bearing + "/contact_force"), impact.start, until);
-  impact.peak = peak ? peak->value : 0.;
-  impact.peak_time = peak ? peak->time : std::nan("");
-  return impact;
-}
-
 /// Of one run until a time.
 Json forces_json(const RecordedDrop& drop, const std::string& bearing, const Impact& impact, double until) {
   const TimeSeries force = drop.series("/bearings/" + bearing + "/contact_force");
@@ -137,13 +125,13 @@ Json compare_runs(const std::string& name, const RecordedDrop& drop, const Recor
                   const ComparisonOptions& options) {
   const Names names{"this", "against"};
   const double ends[] = {end_of(drop, name), end_of(against, name)}, until = std::min(ends[0], ends[1]);
-  const Impact impact = first_impact_until(drop, name, until);
+  const Impact impact = first_impact(drop, name, until);
   const auto instants = instants_of(impact, until, options.instants);
   Json j;
   j["until"] = until;
   j["ends"] = {{"this", ends[0]}, {"against", ends[1]}};
   j["forces"] = {{"this", forces_json(drop, name, impact, until)},
-                 {"against", forces_json(against, name, first_impact_until(against, name, until), until)}};
+                 {"against", forces_json(against, name, first_impact(against, name, until), until)}};
   const std::string gap = "/bearings/" + name + "/clearance", expansion = "/bearings/" + name + "/expansion";
   j["air_gap"] = difference_json(drop.series(gap), against.series(gap), {options.growth}, names, instants);
   for (std::size_t c = 0; c < growth_surface_keys.size(); ++c)

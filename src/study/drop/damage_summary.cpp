@@ -9,6 +9,7 @@
 
 #include "study/drop/drop_summary.h"
 #include "study/json_number.h"
+#include "study/limit_verdict.h"
 
 namespace rotordrop {
 namespace {
@@ -37,7 +38,8 @@ Json drops_of(double share) {
 std::string fatigue_basis(const std::optional<FatigueShare>& f) {
   if (!f) return "contact fatigue: not assessed, the bearing's dynamic load rating C is not given";
   std::string text = fmt::format(
-      "contact fatigue: ISO 281, C = {:.4g} kN, p = 3, L10 (90 % reliability), summed by Palmgren-Miner; of each row the "
+      "contact fatigue: ISO 281, C = {:.4g} kN, p = 3, L10 (90 % reliability), summed by Palmgren-Miner; of each row "
+      "the "
       "larger of two counts: cycles of every ball's load by rainflow (ASTM E1049), and turns under the balls' loads",
       f->rating * 1e-3);
   if (f->load_over_rating > 0.5)
@@ -45,9 +47,6 @@ std::string fatigue_basis(const std::optional<FatigueShare>& f) {
         fmt::format("; the largest ball load is {:.3g} times that under C, ISO 281 holds to 0.5", f->load_over_rating);
   return text;
 }
-
-constexpr const char* untouched = "the rotor did not touch the bearing";
-constexpr const char* in_first_contact = "the run ends in the first contact with the bearing";
 
 /// Of a bearing that the rotor did not touch, whose preload says nothing about drops, or not to the end of its impact. Names stay, for limits on them.
 Json not_assessed(const std::string& reason, const std::optional<FatigueShare>& fatigue, const TouchdownParameters& p) {

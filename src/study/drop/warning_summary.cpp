@@ -83,8 +83,7 @@ std::string sentence(const RunWarning& w) {
   if (code == "tilt")
     return fmt::format(
         "the rotor ends tilted by {:.3g} rad ({:.3g} degrees): its motion is that of small tilts, whose sine and "
-        "cosine "
-        "are off by more than 0.5 % above {:.2g} rad. It tips over if supports do not hold both its ends",
+        "cosine are off by more than 0.5 % above {:.2g} rad. It tips over if supports do not hold both its ends",
         w.worst, w.worst * 180. / std::numbers::pi, w.limit);
   if (code == "window-error")
     return fmt::format(

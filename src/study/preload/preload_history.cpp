@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "analysis/preload/build_preload.h"
+#include "machine/speed_growth.h"
 
 namespace rotordrop {
 namespace {
@@ -48,13 +49,12 @@ Json make_preload_history(const Case& c, const std::string& bearing, const Recor
       axial.push_back(drop.series(from + "row_axial_force", static_cast<std::size_t>(row)));
 
   // A drop that grew by its speeds recorded that too.
-  const auto& thermal = drop.parameters().thermal;
   if (drop.driver() == "recorded" && preload_grows_by_speed(p))
     throw InputError(
         position_of(c.tree, "preload"),
         "the drop used growth recorded by an earlier run, and does not say whether that includes centrifugal growth.",
         "Give that earlier run with --results, or set preload.growth_by_speed = \"none\".");
-  const bool has_growth_by_speed = thermal.growth_by_speed != GrowthBySpeed::none && drop.driver() != "recorded";
+  const bool has_growth_by_speed = drop_grows_by_speed(drop.parameters());
   MachineParameters cold_parameters = p;
   if (has_growth_by_speed) cold_parameters.preload.growth_by_speed = PreloadGrowthBySpeed::none;
 

@@ -17,21 +17,21 @@ bool moves_inward(const TimeSeries& y, const TimeSeries& z, double t) {
 
 }  // namespace
 
-Impact first_impact(const RecordedDrop& drop, const std::string& bearing) {
+Impact first_impact(const RecordedDrop& drop, const std::string& bearing, double until) {
   const TimeSeries penetration = drop.series("/bearings/" + bearing + "/penetration");
   Impact impact;
-  const double begin = penetration.times.front();
+  const double begin = penetration.times.front(), last = std::min(penetration.times.back(), until);
   const auto start = penetration.values.front() > 0. ? begin : first_crossing(penetration, true, begin);
-  if (!start) return impact;
+  if (!start || *start >= until) return impact;
   impact.start = *start;
-  impact.end = penetration.times.back();
+  impact.end = last;
   const TimeSeries y = drop.series("/bearings/" + bearing + "/orbit", 0),
                    z = drop.series("/bearings/" + bearing + "/orbit", 1);
-  for (auto closes = start; closes; closes = first_crossing(penetration, true, impact.end)) {
-    impact.end = first_crossing(penetration, false, *closes).value_or(penetration.times.back());
+  for (auto closes = start; closes && *closes < last; closes = first_crossing(penetration, true, impact.end)) {
+    impact.end = std::min(first_crossing(penetration, false, *closes).value_or(last), last);
     if (moves_inward(y, z, impact.end)) break;
   }
-  impact.next = first_crossing(penetration, true, impact.end).value_or(impact.next);
+  if (const auto next = first_crossing(penetration, true, impact.end); next && *next < until) impact.next = *next;
   if (const auto peak = largest_of(drop.series("/bearings/" + bearing + "/contact_force"), impact.start, impact.end)) {
     impact.peak = peak->value;
     impact.peak_time = peak->time;

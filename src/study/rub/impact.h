@@ -21,8 +21,10 @@ struct Impact {
 };
 /// Begins where the recorded penetration first passes zero, and ends where it does so while the journal comes back from the bore: the contact opens
 /// sooner, for some microseconds, where the journal knocks a light ring away and meets it again. The peak is the largest sample.
-/// @param drop  with series_of_impact()
-Impact first_impact(const RecordedDrop& drop, const std::string& bearing);
+/// @param drop   with series_of_impact()
+/// @param until  as if the record ended there [s]
+Impact first_impact(const RecordedDrop& drop, const std::string& bearing,
+                    double until = std::numeric_limits<double>::infinity());
 
 std::vector<std::string> series_of_impact(const std::string& bearing);
 
