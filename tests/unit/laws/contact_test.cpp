@@ -124,8 +124,10 @@ TEST(CoulombFriction, HasItsLimitsAtRestAndAtSpeed) {
   const CoulombFriction law{0.1, 0.05, 0., 1., false};
   EXPECT_EQ(law.coefficient(0.), 0.);
   EXPECT_NEAR(law.coefficient(0.05), 0.1 / std::sqrt(2.), 1e-15);
-  EXPECT_NEAR(law.coefficient(1e-6) / 1e-6, 0.1 / 0.05, 1e-8);
+  // It falls short of the slope at rest by (v / v_reg)^2 / 2 = 2e-10 of it.
+  EXPECT_NEAR(law.coefficient(1e-6) / 1e-6, 0.1 / 0.05, 1e-9);
   for (const double v : {1., 10., 55.}) {
+    // The next term is 3/8 (v_reg / v)^4.
     EXPECT_NEAR(law.coefficient(v), 0.1 * (1. - 0.5 * (0.05 / v) * (0.05 / v)), 0.1 * std::pow(0.05 / v, 4));
     EXPECT_EQ(law.coefficient(-v), -law.coefficient(v));
   }

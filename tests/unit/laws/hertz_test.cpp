@@ -76,6 +76,7 @@ TEST(Hertz, FitsAreWithinOneAndAHalfPercentOfTheExactIntegrals) {
       printf("%s  R_y/R_x = %5.2f  fit / exact - 1 = %+.2f %%\n", b.name, g.R_y / g.R_x, 100. * error);
       EXPECT_LT(std::fabs(error), 0.015);
     }
+  // The published stiffnesses by fits and by exact integrals differ by 1.08 % and 1.06 %.
   for (const auto& b : {tb1, tb2})
     EXPECT_NEAR(row_stiffness(b, EllipticIntegrals::brewe_hamrock) / row_stiffness(b, EllipticIntegrals::exact), 1.,
                 0.012);
@@ -111,6 +112,7 @@ TEST(Hertz, ExactEllipseIsTheSolutionOfTheContactProblem) {
 TEST(Hertz, TwoSpheresFollowTheClosedForm) {
   const double modulus = effective_modulus(steel, silicon_nitride), R = 3e-3;
   const ContactGeometry spheres{R, R};
+  // Spheres are taken as ellipses with k = 1 + 1e-9.
   EXPECT_NEAR(hertz_stiffness(spheres, modulus, EllipticIntegrals::exact) / (4. / 3. * 0.5 * modulus * std::sqrt(R)),
               1., 1e-8);
   EXPECT_NEAR(

@@ -69,16 +69,18 @@ TEST(MovingBand, ComesToTheSteadyRiseInTheEnd) {
 TEST(MovingBand, ThatIsFastHeatsLikeAPlaneSourceForItsPassage) {
   const auto band = band_of(1e4);
   const double passage = 2. * band.half_width / band.speed;
-  EXPECT_NEAR(largest_steady_rise(band) / surface_rise(band.flux, passage, k, rho_c), 1., 1e-3);
-  EXPECT_NEAR(band.largest_rise_estimate() / surface_rise(band.flux, passage, k, rho_c), 1., 1e-3);
-  EXPECT_NEAR(band.largest_rise(0.25 * passage) / surface_rise(band.flux, 0.25 * passage, k, rho_c), 1., 1e-3);
+  // Heat that spreads along the way takes 0.6/L = 6e-5 of the largest rise; the estimate leaves 4e-7.
+  EXPECT_NEAR(largest_steady_rise(band) / surface_rise(band.flux, passage, k, rho_c), 1., 1e-4);
+  EXPECT_NEAR(band.largest_rise_estimate() / surface_rise(band.flux, passage, k, rho_c), 1., 1e-4);
+  EXPECT_NEAR(band.largest_rise(0.25 * passage) / surface_rise(band.flux, 0.25 * passage, k, rho_c), 1., 1e-4);
 }
 
 TEST(MovingBand, ThatCreepsHasTheLogarithmOfItsSpeed) {
   const auto band = band_of(1e-4);
   const double theta = 2. / pi * (1. - egamma + std::log(2. / 1e-4));
-  EXPECT_NEAR(largest_steady_rise(band) / unit_of(band), theta, 1e-4 * theta);
-  EXPECT_NEAR(band.largest_rise_estimate() / unit_of(band), theta, 1e-3 * theta);
+  // The next terms, 0.35 (L ln L)^2, are 3e-7; the estimate leaves 1.3e-6 of 6.6.
+  EXPECT_NEAR(largest_steady_rise(band) / unit_of(band), theta, 1e-6 * theta);
+  EXPECT_NEAR(band.largest_rise_estimate() / unit_of(band), theta, 1e-6 * theta);
 }
 
 TEST(MovingBand, AtRestIsTheClosedForm) {
@@ -100,7 +102,8 @@ TEST(MovingBand, DoesNotMindWhichWayItGoes) {
   back.speed = -back.speed;
   EXPECT_EQ(there.steady_rise(1e-4), back.steady_rise(-1e-4));
   EXPECT_EQ(there.rise(1e-4, 1e-3), back.rise(-1e-4, 1e-3));
-  EXPECT_NEAR(largest_steady_rise(there), largest_steady_rise(back), 1e-6 * largest_steady_rise(there));
+  // The rise is flat where it is largest: roundoff, wherever the search ends.
+  EXPECT_NEAR(largest_steady_rise(there), largest_steady_rise(back), 1e-12 * largest_steady_rise(there));
 }
 
 TEST(MovingBand, HasAnEstimateWithinFourPercentForAllSpeedsAndTimes) {
@@ -177,6 +180,7 @@ TEST(SweptArc, OfAFastSpotEndsAtTheFastBandsRise) {
   }
   const MovingBand band{b, v, flux_of(4e3), k, rho_c};
   EXPECT_GT(band.peclet(), 100.);
+  // The band is 55 cells wide, and begins and ends on each of them over its width: 0.5 % less.
   EXPECT_NEAR(largest / surface_rise(band.flux, 2. * b / v, k, rho_c), 1., 0.01);
   EXPECT_NEAR(largest / largest_steady_rise(band), 1., 0.02) << "straight down, against heat that spreads";
   EXPECT_NEAR(arc.state().arc_total, v * 999 * 5e-6 / radius, 1e-9) << "rad; the first interval has no beginning";
@@ -240,6 +244,7 @@ TEST(SweptArc, CountsTheWayOfEachContactAndTurnsOfTheRing) {
   EXPECT_NEAR(arc.state().arc_total, 0.02 + 2. * (pi - 3.1), 1e-12);
   EXPECT_NEAR(arc.state().ring_turns, 2., 1e-12);
   EXPECT_GT(arc.state().largest_rise, arc.state().rise_at_contact) << "the old track has had ten times the heat";
+  // rad: the track reaches from 3.07 to 3.15, and by half the spot, 0.043, beyond
   EXPECT_NEAR(arc.state().largest_rise_angle, 3.1, 0.1);
 }
 

@@ -73,7 +73,8 @@ TEST(RingBending, StiffensWideRingsByTheirPoissonEffect) {
   const double h = 0.5e-3, R = 50e-3, W = 400e-3;
   const auto mode = ring_harmonics(thin_ring(h, W), 2, 2).front();
   const double beam = pi * 2.05e11 * W * h * h * h / 12. * 9. / (R * R * R);
-  EXPECT_NEAR(mode.stiffness / beam, 1. / (1. - 0.09), 0.01);
+  // The ends are 10 of 400 mm: 2.5 % of the stiffening by 0.1.
+  EXPECT_NEAR(mode.stiffness / beam, 1. / (1. - 0.09), 0.003);
 }
 
 TEST(RingBending, ConvergesWithTheMesh) {
@@ -101,6 +102,7 @@ TEST(RingBending, BendsAnOuterRingWithTheSameSectionMuchAsAnInnerOne) {
   EXPECT_NEAR(inner.least_wall(), 0.7e-3, 1e-9);
   EXPECT_NEAR(outer.least_wall(), 0.7e-3, 1e-9);
   const auto a = ring_harmonics(inner, 2).front(), b = ring_harmonics(outer, 2).front();
+  // The walls under the grooves lie 0.3 mm apart: 1/R^3 differs by 1.8 %.
   EXPECT_NEAR(a.stiffness / b.stiffness, 1., 0.02);
 }
 

@@ -175,6 +175,7 @@ TEST(StripSpreading, IsThatOfFiniteDifferences) {
                  fine = spreading_by_differences(s.W, s.t, s.middle - s.a, s.middle + s.a, 46., 128);
     const double found = strip_spreading(s.W, s.t, {s.middle}, s.a, 46.);
     printf("differences %.6f %.6f, series %.6f K m/W\n", coarse, fine, found);
+    // The differences' own error: up to 1.7 % with 64 cells, 0.5 % with 128.
     EXPECT_NEAR(found / fine, 1., 0.01);
     EXPECT_LT(std::fabs(found - fine), std::fabs(found - coarse) + 1e-12) << "differences converge to it";
   }

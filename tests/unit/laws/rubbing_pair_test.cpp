@@ -82,7 +82,8 @@ TEST(RubbingPair, RingAtRestTakesNearlyAllAtOnce) {
   RubbingPair pair(steel, insulator, options(12), 0.);
   rub(pair, steel, insulator, 2e4, 0., 0., 2e-3, [&](double t) {
     const double expected = 2. * flux(2e4) * std::sqrt(t / pi) / steel.effusivity();
-    EXPECT_NEAR(pair.state().ring_rise, expected, 3e-3 * expected);
+    // The ring's memory is met to 4e-4, and the insulator, with 1.5e-4 of the steel's effusivity, takes a part as small.
+    EXPECT_NEAR(pair.state().ring_rise, expected, 1e-3 * expected);
     EXPECT_GT(pair.state().share_to_ring, 0.999);
   });
 }
@@ -101,7 +102,8 @@ TEST(RubbingPair, SurfacesThatPassInSteadyStateShareAsJaegerSays) {
   }
   RubbingPair synchronous(steel, steel, options(12), 0.);
   rub(synchronous, steel, steel, 1e4, 55., 55., 3e-3, [](double) {});
-  EXPECT_NEAR(synchronous.state().share_to_ring, 0.5, 0.02);
+  // The band's length passes in two steps, as above.
+  EXPECT_NEAR(synchronous.state().share_to_ring, 0.5, 0.01);
 }
 
 // The same equations by another way: 160 even pieces, the ring's memory as the exact sum of its fluxes' differences (no exponentials, no cells).
@@ -175,16 +177,19 @@ TEST(RubbingPair, RotorBringsBackWhatEarlierTurnsLeft) {
   std::vector<double> rise;
   rub(pair, insulator, steel, watts, 0., v, 0.02, [&](double) {
     rise.push_back(pair.state().rotor_rise);
-    EXPECT_NEAR(pair.state(1).rotor_rise, rise.back(), 1e-3 * rise.back());
+    // The insulator, with 1.5e-4 of the steel's effusivity, takes some 1e-4 of the heat.
+    EXPECT_NEAR(pair.state(1).rotor_rise, rise.back(), 3e-4 * rise.back());
   });
   const double first = 2. * flux(watts) * std::sqrt((2. * b - b / 12.) / (pi * v)) / steel.effusivity();
-  EXPECT_NEAR(rise[40], first, 0.01 * first);
+  // Within the first turn only the share of the insulator differs.
+  EXPECT_NEAR(rise[40], first, 1e-3 * first);
   // Each point had a pulse of watts turn/(2 pi r w) joules per area, turns ago: T = sum J/(e sqrt(pi t_j)), t_j = j turn.
   const double pulse = watts * turn / (2. * pi * steel.radius * width);
   double left = 0.;
   for (int j = 1; static_cast<double>(j) * turn < 0.02; ++j)
     left += pulse / (steel.effusivity() * std::sqrt(pi * static_cast<double>(j) * turn));
-  EXPECT_NEAR(rise.back() - first, left, 0.05 * left);
+  // A passage lasts 1/37 of a turn, and its heat is taken as that of an instant in it: up to 0.7 % of the last turn's part.
+  EXPECT_NEAR(rise.back() - first, left, 0.01 * left);
 }
 
 // After a rub the surfaces roll on each other almost without heat, in intervals of an eighth to half a turn, so that the band comes to nearly the same
@@ -222,7 +227,8 @@ TEST(RubbingPair, GivenShareHeatsTheRingByItAlone) {
       pair, steel, steel, 2e4, 0., 55., 3e-3,
       [&](double t) {
         const double expected = 0.66 * 2. * flux(2e4) * std::sqrt(t / pi) / steel.effusivity();
-        EXPECT_NEAR(pair.state().ring_rise, expected, 2e-3 * expected);
+        // the ring's memory, met to 4e-4
+        EXPECT_NEAR(pair.state().ring_rise, expected, 5e-4 * expected);
       },
       0.66);
   EXPECT_NEAR(pair.heat_into_ring(), 0.66 * 2e4 * 3e-3, 1e-9);

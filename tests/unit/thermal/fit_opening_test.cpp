@@ -73,6 +73,7 @@ TEST(FitOpening, FindsTheOneStateOfAnyStiffness) {
     fit.solve(closed, std::vector<double>(n, 0.));
     double sum = 0., largest = 1.;
     for (std::size_t i = 0; i < n; ++i) largest = std::max(largest, std::fabs(fit.added(i)));
+    // roundoff, for which the search takes 1e-11 of what adds up at a node
     const double slack = 1e-9 * largest * S[0][0] * static_cast<double>(n);
     for (std::size_t i = 0; i < n; ++i) {
       double force = closed[i];
