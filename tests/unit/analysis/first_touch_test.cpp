@@ -13,7 +13,7 @@ namespace {
 CaseParameters reference(const std::vector<std::string>& settings) {
   return read_case(ROTORDROP_SOURCE_DIR "/params/neisi2019.toml", settings).parameters;
 }
-constexpr double tolerance = 2e-9;  // of the search [s]
+constexpr double tolerance = 1e-9;  // [s], within which the search ends
 
 TEST(FirstTouch, OfARotorFromRestIsThatOfAFreeFall) {
   const auto t = first_touch(reference({}));

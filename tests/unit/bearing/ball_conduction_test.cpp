@@ -104,6 +104,7 @@ TEST(TouchdownBearing, ConductsByTheLoadsAndTheSpeedOfItsBalls) {
     // Speed of the contact over the inner race: ring less cage, at the race's radius.
     const double U = std::fabs(omega) * 0.5 * (1. + gamma) * 0.5 * g.pitch_diameter * (1. - gamma);
     for (const double Q : loads) exact.add(data.conduction->of_balls(1., std::cbrt(Q), std::cbrt(Q), U));
+    // A row conducts as equal balls do, for loads as cos^1.5 within 3 %; from race to race over two contacts in series, each with as much.
     EXPECT_NEAR(out.heat.balls.inner_to_ball / exact.inner_to_ball, 1., 0.03) << omega << " " << y_shift;
     EXPECT_NEAR(out.heat.balls.outer_to_ball / exact.outer_to_ball, 1., 0.03);
     EXPECT_NEAR(out.heat.balls.inner_to_outer / exact.inner_to_outer, 1., 0.06);

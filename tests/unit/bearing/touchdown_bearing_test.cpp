@@ -247,6 +247,7 @@ TEST(TouchdownBearing, ReportsTheGyroscopicDemandOfItsBalls) {
       << "rows are balanced to 2e-7";
   const double rolling =
       23 * 0.7 * g.ball_mass * 0.5 * g.pitch_diameter * orbit / speed * std::fabs(inertial.acceleration());
+  // Rows are balanced to 2e-7, as above.
   EXPECT_NEAR(inertial.reports("skid_demand") /
                   std::max(rolling / (0.1 * 23 * ball.load_i),
                            std::hypot(rolling * 3. / 7., 23 * 0.4 * F_c * ball.sin_o) / (0.1 * 23 * ball.load_o)),

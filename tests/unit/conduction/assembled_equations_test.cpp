@@ -81,7 +81,7 @@ TEST(AssembledEquations, HeatOfAPortMayRiseByTheSecond) {
     s.stepper.advance_to(s.stepper.time() + t);
     rise = rise * decay + watts / K * (1. - decay) + rate / K * (t - tau * (1. - decay));
     input += watts * t + rate * t * t / 2.;
-    EXPECT_NEAR(s.rise(), rise, 1e-6);
+    EXPECT_NEAR(s.rise(), rise, accuracy * rise);
     EXPECT_NEAR(s.stepper.energy().input, input, 1e-9);
   }
 }
@@ -102,7 +102,8 @@ TEST(AssembledEquations, WindowsAreOfSecondOrder) {
     error[n == 16] = std::fabs(s.rise() - 10. / K * (1. - std::exp(-4. * K / C)));
     EXPECT_NEAR(s.stepper.energy().residual(), 0., 1e-10);
   }
-  EXPECT_NEAR(error[0] / error[1], 4., 0.3);
+  // The next term of the error is a fraction of the window over the time constant, 1/8 and 1/16: it adds 0.03.
+  EXPECT_NEAR(error[0] / error[1], 4., 0.1);
 }
 
 TEST(AssembledEquations, SurroundingsThatAreWarmerWarm) {

@@ -76,7 +76,8 @@ TEST(BoreHistory, SpreadsTheSameHeatForItsMean) {
                                   1e4, 0., [](double t) { return 100. * t; }, at_rest, 0.),
                               s);
   const double q = 1e4 / (2. * pi * s.bore.radius * s.axial_width), expected = surface_rise(q, 2e-3, 45., 3.7e6);
-  EXPECT_NEAR(h.mean_rise[row(h, 3e-3)], expected, 2e-3 * expected);
+  // The kernel of the history is met to 5e-4.
+  EXPECT_NEAR(h.mean_rise[row(h, 3e-3)], expected, 5e-4 * expected);
 }
 
 // Ring from rest with 40 000 rad/s2, contact ahead with 10 rad/s: from the first row in contact to the last one, the spot goes
@@ -138,8 +139,9 @@ TEST(BoreHistory, OfALongRecordJoinsLaterRows) {
   EXPECT_EQ(all.times.size(), r.times.size());
   EXPECT_LE(joined.times.size(), 100u);
   EXPECT_EQ(joined.times.back(), r.times.back());
-  EXPECT_NEAR(joined.mean_rise.back(), all.mean_rise.back(), 2e-3 * all.mean_rise.back());
-  EXPECT_NEAR(joined.largest_rise.back(), all.largest_rise.back(), 2e-3 * all.largest_rise.back());
+  // A joined row of 0.4 ms has the last 0.15 ms of the heat: all of it 9 us later in the mean, 3e-4 of the rise 18 ms after.
+  EXPECT_NEAR(joined.mean_rise.back(), all.mean_rise.back(), 1e-3 * all.mean_rise.back());
+  EXPECT_NEAR(joined.largest_rise.back(), all.largest_rise.back(), 1e-3 * all.largest_rise.back());
   // A ring that turns more than a radian in a few rows is followed row by row.
   const auto fast = rub(
       1e4, 0., [](double t) { return 3e4 * t; }, at_rest, 0., 20e-3);

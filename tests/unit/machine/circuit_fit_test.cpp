@@ -103,8 +103,9 @@ TEST(Calibration, FindsFactorsWithinTheirBoundsAgain) {
   // Resistances in series with R5, forty times theirs, show little, so that the weak pull towards 1 is felt: those are held by what they do.
   EXPECT_GT(found.before.rms, 0.025);
   EXPECT_LT(found.after.rms, 0.02 * found.before.rms);
-  EXPECT_NEAR(found.factors.shaft_ring, 0.6, 0.01);
-  EXPECT_NEAR(found.factors.fit, 0.7, 0.02);
+  // The pull, a hundredth of the factors' logarithms, moves these two by 4e-5.
+  EXPECT_NEAR(found.factors.shaft_ring, 0.6, 1e-3);
+  EXPECT_NEAR(found.factors.fit, 0.7, 1e-3);
   for (const auto& r : found.resistances) EXPECT_FALSE(r.is_at_lowest || r.is_at_highest) << r.uncertain.name;
 }
 

@@ -113,10 +113,10 @@ TEST(HeatPort, MoreThanIsDissipatedOrLessThanNothingIsWarnedOf) {
   const RunWarning* more = warning_of("60 W", warnings);
   ASSERT_NE(more, nullptr);
   EXPECT_EQ(more->place, "BRAKE");
-  EXPECT_NEAR(more->worst, 10. / 60., 1e-6) << "10 W of 60 W are from nowhere";
+  EXPECT_NEAR(more->worst, 10. / 60., 1e-12) << "10 W of 60 W are from nowhere";
   const RunWarning* less = warning_of("-20 W", warnings);
   ASSERT_NE(less, nullptr);
-  EXPECT_NEAR(less->worst, 20. / 50., 1e-6);
+  EXPECT_NEAR(less->worst, 20. / 50., 1e-12);
 }
 
 TEST(HeatPort, OfAnUnknownNodeIsExplained) {

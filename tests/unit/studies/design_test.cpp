@@ -90,7 +90,7 @@ TEST(LatinHypercube, HasOnePointInEveryStratumAndFollowsItsSeed) {
   EXPECT_NE(a.cells, c.cells);
 }
 
-// Of 2000 points the rank correlation is known within 4 standard errors: 4 (1 - rho^2) / sqrt(2000) = 0.05.
+// Of 2000 points the rank correlation is known within 4 standard errors: 4 (1 - rho^2) / sqrt(2000) = 0.05, and 0.09 without correlation.
 TEST(LatinHypercube, HasTheRankCorrelationThatIsAskedFor) {
   const Design d = design_of(std::string(three) + R"([design]
 size = 2000
