@@ -73,10 +73,11 @@ TEST(HeatOfABody, ReachesAmbientByConvectionAlone) {
   p.convections = {{{0, HeatSide::outer}, 1e5, 0., 293.15}};
   const auto solver = make_solver(p);
   solver->advance_to(1000.);
-  EXPECT_NEAR(solver->temperature(0, 5e-3, 0.), 293.15, 1e-6);
+  // Errors of steps die out with the rise of 107 K: 1.5e-8 K are left, and less of the mean.
+  EXPECT_NEAR(solver->temperature(0, 5e-3, 0.), 293.15, 1e-7);
   const HeatEnergy e = solver->energy();
   const double all = 7800. * 460. * std::numbers::pi * 20e-3 * 20e-3 * 10e-3 * (400. - 293.15);
-  EXPECT_NEAR(e.stored, -all, 1e-8 * all);
+  EXPECT_NEAR(e.stored, -all, 1e-9 * all);
   EXPECT_LT(std::fabs(e.residual()), 1e-10 * all);
 }
 

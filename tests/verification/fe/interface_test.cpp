@@ -54,7 +54,8 @@ TEST(Interfaces, WithoutResistanceMakeOneBodyOfItsPieces) {
       EXPECT_NEAR(four->temperature(p.body, p.x, p.r), one->temperature(0, p.x, p.r), 1e-4 * rise)
           << p.body << " at " << p.x << ", " << p.r << ", t = " << t;
     EXPECT_NEAR(four->energy().input, one->energy().input, 1e-12 * one->energy().input);
-    EXPECT_NEAR(four->energy().lost, one->energy().lost, 1e-5 * one->energy().input);
+    // Two meshes: the heat lost, by integrals over surfaces, differs by 1e-9 of the input.
+    EXPECT_NEAR(four->energy().lost, one->energy().lost, 1e-8 * one->energy().input);
     EXPECT_LT(std::fabs(four->energy().residual()), 1e-10 * four->energy().input);
   }
 }

@@ -67,7 +67,8 @@ TEST(RungeKutta4, ConvergesWithOrderFour) {
     before = error;
     *p.step *= 0.5;
   }
-  EXPECT_NEAR(order, 4., 0.1);
+  // The error's next term is smaller by a step, 1/160: 0.004.
+  EXPECT_NEAR(order, 4., 0.02);
 }
 
 TEST(RungeKutta4, TakesFourEvaluationsAStep) {
@@ -77,7 +78,8 @@ TEST(RungeKutta4, TakesFourEvaluationsAStep) {
   auto integrator = make_integrator(system, {IntegrationMethod::runge_kutta_4, 0.01, 1e-6}, 0., y, 1.);
   while (integrator->time() < 1.) integrator->advance();
   EXPECT_EQ(integrator->statistics().steps, 100);
-  EXPECT_NEAR(static_cast<double>(integrator->statistics().rhs_evaluations), 400., 2.);
+  // and the rate at the last state, by which it interpolates
+  EXPECT_NEAR(static_cast<double>(integrator->statistics().rhs_evaluations), 400., 1.);
 }
 
 // H(theta) = (1 + 2 theta) (1 - theta)^2 y_0 + theta (1 - theta)^2 h f_0 + theta^2 (3 - 2 theta) y_1 + theta^2 (theta - 1) h f_1, with the rates f at the
@@ -403,6 +405,7 @@ TEST(EmbeddedPair, TriesAgainWhereAStageHadNoRate) {
     system.initial_state(y);
     auto integrator = make_integrator(system, {method, 0.1, 1e-6}, 0., y, 2.);
     while (integrator->time() < 2.) integrator->advance();
+    // The error of a quadrature is not controlled: up to 4e-6 by these methods and steps.
     EXPECT_NEAR(integrator->state()[2], 1. + 0.25 * std::sin(4.), 1e-5);
     EXPECT_GT(integrator->statistics().rejected_steps, 0);
   }
