@@ -266,7 +266,8 @@ TEST(InertialRow, TractionsAndTruncationAreThoseOfEveryBallsBalance) {
       EXPECT_NEAR(found.gyroscopic, (1. - share) * T, 1e-5 * (T + F_c));
       EXPECT_NEAR(found.inner_gyroscopic, share * T, 1e-5 * (T + F_c));
       EXPECT_NEAR(found.largest_gyroscopic_over_load, demand, 1e-3 * demand + 1e-5) << "a lightly loaded ball decides";
-      EXPECT_NEAR(found.truncation, truncation, 1e-4);
+      // The part of an axis beyond the edge, by a load and an angle that differ by as little.
+      EXPECT_NEAR(found.truncation, truncation, 1e-5);
       EXPECT_EQ(found.centrifugal, F_c);
       n_truncated += truncation > 0.01;
       n_shared += share > 0.;

@@ -162,7 +162,8 @@ TEST(RollingPair, TheGainIsThatOfAssumedAndPredictedHeat) {
   const auto made = [&](double heat) { return loop->state(loop->steady(heat, p.T)).heat; };
   const double gain = (made(p.heat + step) - made(p.heat - step)) / (2. * step);
   printf("gain %.7f by the criterion, %.7f by differences\n", p.response.gain, gain);
-  EXPECT_NEAR(p.response.gain, gain, 2e-5 * std::fabs(gain));
+  // Differences of 1e-3 of the heat err by 1e-6/6 of its third derivative: 2e-7.
+  EXPECT_NEAR(p.response.gain, gain, 2e-6 * std::fabs(gain));
 }
 
 TEST(RollingPair, SettlesAtItsOperatingPointWithEveryJoule) {
@@ -172,7 +173,8 @@ TEST(RollingPair, SettlesAtItsOperatingPointWithEveryJoule) {
   const auto found = find_operating_points(*loop, preload_limits(c.parameters.preload));
   ASSERT_FALSE(found.points.empty());
   const std::span<const double> T(course.y.data(), loop->size());
-  EXPECT_NEAR(loop->state(T).preload, found.points[0].state.preload, 1e-2 * found.points[0].state.preload);
+  // It is settled at 1e-6 K/s, with a slowest rate of 4e-4 1/s: 3 mK of rises of 3 K are left.
+  EXPECT_NEAR(loop->state(T).preload, found.points[0].state.preload, 1e-3 * found.points[0].state.preload);
   const double made = course.y[loop->size()], lost = course.y[loop->size() + 1];
   EXPECT_NEAR(made - lost - loop->stored_energy(T), 0., 1e-7 * made) << "J";
 }

@@ -213,6 +213,7 @@ TEST(BearingStatics, StiffnessOfA15DegreePairIsTheCatalogues) {
     printf("%11.0f  %16.0f %8.2f (%+.1f %%)   %16.1f %8.3f (%+.1f %%)\n", l.preload, l.axial, axial,
            100. * (axial / l.axial - 1.), l.factor, radial / axial, 100. * (radial / axial / l.factor - 1.));
     EXPECT_NEAR(axial, l.axial, 0.04 * l.axial) << "N/um";
+    // The factors have two digits, and how the catalogue finds them is not known here; the model lies 3 to 8 % below.
     EXPECT_NEAR(radial / axial, l.factor, 0.1 * l.factor);
     EXPECT_NEAR(s.report.preload, l.preload, 1e-6 * l.preload) << "N";
   }
@@ -277,6 +278,7 @@ TEST(BearingStatics, TheDynamicsStartFromTheSameRest) {
       EXPECT_NEAR(rest.x, solved.place[0], 1e-10) << "m: both leave 1e-9 of the load, over at least 10 N/um";
       EXPECT_NEAR(rest.y, solved.place[1], 1e-10);
       EXPECT_NEAR(rest.z, solved.place[2], 1e-10);
+      // 1e-10 m over a lever of some 10 mm
       EXPECT_NEAR(rest.psi_y, solved.place[3], 1e-8) << "rad";
       EXPECT_NEAR(rest.psi_z, solved.place[4], 1e-8);
     }

@@ -199,9 +199,10 @@ TEST(BentRing, OnASoftBeddingTheOuterRingBendsTooAndLoadsConcentrateMore) {
   const std::vector rows = {deep_groove_row()};
   const auto stiff_outer = ball_loads(tb1_rings(RingBendingModel::point), rows, {.y = 5000.});
   const auto soft_outer = ball_loads(tb1_rings(RingBendingModel::point, 1., true), rows, {.y = 5000.});
+  // Along the load the sums are equal; over all balls they differ by the loads' directions.
   EXPECT_NEAR(std::accumulate(soft_outer.begin(), soft_outer.end(), 0.) /
                   std::accumulate(stiff_outer.begin(), stiff_outer.end(), 0.),
-              1., 0.1);
+              1., 0.02);
   EXPECT_GT(std::fabs(soft_outer[0] - stiff_outer[0]), 10.) << "N";
 }
 

@@ -60,8 +60,8 @@ TEST(StaticRotor, ThreeStationsShareTheLoadAsAContinuousBeam) {
   const StaticRotor rotor(beam, {1, 5, 9}, {-9.81, 0.}, {});
   const double weight = rigid_body(beam).mass * 9.81;
   const Eigen::VectorXd& on_supports = rotor.load(0);
-  EXPECT_NEAR(-on_supports[0] / weight, 3. / 16., 3e-4);
-  EXPECT_NEAR(-on_supports[1] / weight, 10. / 16., 3e-4);
+  EXPECT_NEAR(-on_supports[0] / weight, 3. / 16., 1e-4);
+  EXPECT_NEAR(-on_supports[1] / weight, 10. / 16., 1e-4);
   EXPECT_NEAR(-on_supports.sum() / weight, 1., 1e-9);
 }
 

@@ -134,6 +134,7 @@ TEST(Ishigami, HasItsFirstIndicesOfASobolSequence) {
 TEST(Answers, HaveTheQuantilesAndProbabilitiesOfAUniformNumber) {
   const auto summary = run("[design]\nkind = \"monte-carlo\"\nsize = 500\n[limits]\nlinear = { max = 0.9 }\n");
   const auto& result = summary["results"]["linear"];
+  // four standard errors of the mean of 500
   EXPECT_NEAR(result["mean"].get<double>(), 0.5, 4. * std::sqrt(1. / 12. / 500.));
   for (const char* p : {"0.05", "0.25", "0.50", "0.75", "0.95"}) {
     EXPECT_LE(result["quantiles_low"][p].get<double>(), std::stod(p));

@@ -200,6 +200,7 @@ TEST_F(Minimise, TakesTheMeanOverWhatIsNotSearched) {
 
 TEST_F(Minimise, SeesThroughChaosByReplicates) {
   const auto j = run(std::string(one) + "[replicates]\nn = 40\n[minimise]\nresult = \"rough\"\nmethod = \"subplex\"\n");
+  // Steps end at 1e-3 of the range of 2: the place is known to some of them.
   EXPECT_NEAR(best(j, 0), 0.3, 0.01);
   // The mean of 40 numbers of +-0.1 has a standard error of 0.016.
   EXPECT_NEAR(j["best"]["value"].get<double>(), 0., 3. * 0.1 / std::sqrt(40.));
@@ -210,6 +211,7 @@ TEST_F(Minimise, TakesFailedDropsAsWorseThanAllOthers) {
   const auto j =
       run(std::string(both) + "[limits]\nx_plus_y = { min = 1 }\n[minimise]\nresult = \"sum\"\nsearches = 4\n",
           fails_beyond_the_minimum);
+  // Steps end at 1e-3 of the range of 2, and the value rises by as much along each of both.
   EXPECT_NEAR(j["best"]["value"].get<double>(), 0.5, 0.02);
 }
 
