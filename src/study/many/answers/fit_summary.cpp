@@ -4,6 +4,7 @@
 
 #include <boost/math/distributions/students_t.hpp>
 #include <cmath>
+#include <limits>
 #include <nlohmann/json.hpp>
 
 #include "study/compare/measured_report.h"
@@ -88,79 +89,108 @@ std::optional<Covariance> covariance_of_those_with_effect(const Fit& fit, const 
   return all;
 }
 
-}  // namespace
+/// Drops of a fit by their points: parameters, place between the ends of their ranges, what differs from the measured.
+class FitPoints {
+ public:
+  FitPoints(const Study& study, const Design& design, const StudyTable& table)
+      : study_(study), design_(design), table_(table), space_(study) {}
 
-Json fit_summary(const Study& study, const Design& design, const StudyTable& table) {
-  const Fit& fit = *study.fit;
-  const SearchSpace space(study);
-  const auto cost = [&](std::size_t point) {
-    const auto r = residuals_of(fit, series_of(table, point));
-    return r.size() ? r.squaredNorm() : std::nan("");
-  };
-  const auto values = [&](std::size_t point) {
-    Json j = Json::object();
-    for (std::size_t i = 0; i < study.searched.size(); ++i)
-      j[space.parameter(i).name] = design.value(point, study.searched[i]).number();
-    return j;
-  };
-  const auto place = [&](std::size_t point) {
-    std::vector<double> at;
-    for (const auto i : study.searched) at.push_back(design.value(point, i).number());
-    return space.place(at);
-  };
-  Json j{{"evaluations", design.steps.size()}, {"searches", Json::array()}};
-  const auto searches = points_of(study, design);
-  const SearchPoints* best = nullptr;
-  for (const auto& search : searches) {
-    const double squares = search.found ? cost(*search.found) : std::nan("");
-    j["searches"].push_back({{"evaluations", search.course.size()},
-                             {"sum_of_squares", json_number(squares)},
-                             {"parameters", search.found ? values(*search.found) : Json(nullptr)}});
-    if (std::isfinite(squares) && (!best || squares < cost(*best->found))) best = &search;
+  [[nodiscard]] const SearchSpace& space() const { return space_; }
+  /// Value of a searched parameter, in its unit.
+  [[nodiscard]] double value(std::size_t point, std::size_t searched) const {
+    return design_.value(point, study_.searched[searched]).number();
   }
-  j["course"] = Json::array();
+  [[nodiscard]] std::vector<double> place(std::size_t point) const {
+    std::vector<double> values;
+    for (std::size_t i = 0; i < study_.searched.size(); ++i) values.push_back(value(point, i));
+    return space_.place(values);
+  }
+  [[nodiscard]] Json parameters(std::size_t point) const {
+    Json j = Json::object();
+    for (std::size_t i = 0; i < study_.searched.size(); ++i) j[space_.parameter(i).name] = value(point, i);
+    return j;
+  }
+  [[nodiscard]] Eigen::VectorXd residuals(std::size_t point) const {
+    return residuals_of(*study_.fit, series_of(table_, point));
+  }
+  /// NaN where the drop failed.
+  [[nodiscard]] double sum_of_squares(std::size_t point) const {
+    const auto r = residuals(point);
+    return r.size() ? r.squaredNorm() : std::nan("");
+  }
+  /// Computed values of a measured series, NaN where the drop failed.
+  [[nodiscard]] std::vector<double> computed(std::size_t point, std::size_t measured) const {
+    for (const auto& s : series_of(table_, point))
+      if (s.path == measured_path(measured)) return s.values;
+    return std::vector<double>(study_.fit->measured[measured].data.values.size(), std::nan(""));
+  }
+  /// By the drops around what a search found [values, parameters]; empty where one of them is missing.
+  [[nodiscard]] Eigen::MatrixXd derivatives_around(const SearchPoints& search) const {
+    std::vector<std::vector<double>> places;
+    std::vector<Eigen::VectorXd> around;
+    for (const auto k : search.around) {
+      places.push_back(place(k));
+      around.push_back(residuals(k));
+    }
+    return around.size() == 2 * study_.searched.size() ? derivatives(places, around) : Eigen::MatrixXd();
+  }
+
+ private:
+  const Study& study_;
+  const Design& design_;
+  const StudyTable& table_;
+  const SearchSpace space_;
+};
+
+Json searches_json(const FitPoints& points, const std::vector<SearchPoints>& searches) {
+  Json list = Json::array();
+  for (const auto& search : searches)
+    list.push_back({{"evaluations", search.course.size()},
+                    {"sum_of_squares", json_number(search.found ? points.sum_of_squares(*search.found) : std::nan(""))},
+                    {"parameters", search.found ? points.parameters(*search.found) : Json(nullptr)}});
+  return list;
+}
+
+Json course_json(const FitPoints& points, const Design& design, const std::vector<SearchPoints>& searches) {
+  Json list = Json::array();
   for (const auto& search : searches)
     for (const auto k : search.course)
-      j["course"].push_back({{"search", design.steps[k].search},
-                             {"evaluation", design.steps[k].evaluation},
-                             {"points", {k, k}},
-                             {"parameters", values(k)},
-                             {"value", json_number(cost(k))},
-                             {"within_limits", true}});
-  j["parameters"] = Json::object();
-  if (!best) return j;
+      list.push_back({{"search", design.steps[k].search},
+                      {"evaluation", design.steps[k].evaluation},
+                      {"points", {k, k}},
+                      {"parameters", points.parameters(k)},
+                      {"value", json_number(points.sum_of_squares(k))},
+                      {"within_limits", true}});
+  return list;
+}
 
-  const std::size_t start = best->course.front();
-  const auto r = residuals_of(fit, series_of(table, *best->found));
-  std::vector<std::vector<double>> places;
-  std::vector<Eigen::VectorXd> around;
-  for (const auto k : best->around) {
-    places.push_back(place(k));
-    around.push_back(residuals_of(fit, series_of(table, k)));
+/// The search with the least sum of squares; none if every one failed.
+const SearchPoints* best_of(const FitPoints& points, const std::vector<SearchPoints>& searches) {
+  const SearchPoints* best = nullptr;
+  double least = std::numeric_limits<double>::infinity();
+  for (const auto& search : searches) {
+    const double squares = search.found ? points.sum_of_squares(*search.found) : std::nan("");
+    if (squares < least) {
+      least = squares;
+      best = &search;
+    }
   }
-  Eigen::MatrixXd J;
-  if (around.size() == 2 * study.searched.size()) J = derivatives(places, around);
-  const auto at = place(*best->found);
-  const auto has_no_effect = [&](std::size_t i) {
-    return J.size() > 0 && J.col(static_cast<Eigen::Index>(i)).squaredNorm() == 0.;
-  };
-  const auto C = covariance_of_those_with_effect(fit, r, J);
-  j["point"] = *best->found;
-  j["start_point"] = start;
-  j["sum_of_squares"] = r.squaredNorm();
-  j["start_sum_of_squares"] = json_number(cost(start));
-  j["degrees_of_freedom"] = static_cast<double>(r.size()) - static_cast<double>(at.size());
-  if (fit.measured.front().deviation)
-    j["chi_square_per_freedom"] = r.squaredNorm() / j["degrees_of_freedom"].get<double>();
+  return best;
+}
+
+/// Fitted values with their 95 % intervals by Student's t.
+Json parameters_json(const FitPoints& points, const SearchPoints& best, const Eigen::MatrixXd& J,
+                     const std::optional<Covariance>& C) {
+  const SearchSpace& space = points.space();
+  const auto at = points.place(*best.found);
+  Json all = Json::object();
   for (std::size_t i = 0; i < at.size(); ++i) {
     const auto& p = space.parameter(i);
-    Json one{{"unit", p.unit()},
-             {"value", design.value(*best->found, study.searched[i]).number()},
-             {"low", nullptr},
-             {"high", nullptr}};
-    one["no_effect"] = has_no_effect(i);
-    if (C && !has_no_effect(i)) {
-      const auto k = static_cast<Eigen::Index>(i);
+    const auto k = static_cast<Eigen::Index>(i);
+    const bool has_no_effect = J.size() > 0 && J.col(k).squaredNorm() == 0.;
+    Json one{{"unit", p.unit()}, {"value", points.value(*best.found, i)}, {"low", nullptr}, {"high", nullptr}};
+    one["no_effect"] = has_no_effect;
+    if (C && !has_no_effect) {
       const double half = boost::math::quantile(boost::math::students_t(C->degrees_of_freedom), 0.975) *
                           std::sqrt(std::max(0., C->matrix(k, k)));
       auto low = at, high = at;
@@ -170,28 +200,60 @@ Json fit_summary(const Study& study, const Design& design, const StudyTable& tab
       if (low[i] >= 0.) one["low"] = space.values(low)[i];
       if (high[i] <= 1.) one["high"] = space.values(high)[i];
     }
-    one["start"] = design.value(start, study.searched[i]).number();
+    one["start"] = points.value(best.course.front(), i);
     one["at_end_of_range"] = at[i] <= 0. || at[i] >= 1.;
-    j["parameters"][p.name] = std::move(one);
+    all[p.name] = std::move(one);
   }
-  if (C)
-    for (Eigen::Index a = 0; a < C->matrix.rows(); ++a) {
-      Json row = Json::array();
-      for (Eigen::Index b = 0; b < C->matrix.cols(); ++b)
-        row.push_back(json_number(C->matrix(a, b) / std::sqrt(C->matrix(a, a) * C->matrix(b, b))));
-      j["correlation"].push_back(std::move(row));
-    }
-  j["measured"] = Json::array();
+  return all;
+}
+
+Json correlation_json(const Eigen::MatrixXd& covariance) {
+  Json matrix = Json::array();
+  for (Eigen::Index a = 0; a < covariance.rows(); ++a) {
+    Json row = Json::array();
+    for (Eigen::Index b = 0; b < covariance.cols(); ++b)
+      row.push_back(json_number(covariance(a, b) / std::sqrt(covariance(a, a) * covariance(b, b))));
+    matrix.push_back(std::move(row));
+  }
+  return matrix;
+}
+
+Json measured_json(const Fit& fit, const FitPoints& points, const SearchPoints& best) {
+  Json list = Json::array();
   for (std::size_t k = 0; k < fit.measured.size(); ++k) {
-    const auto shown = [&](std::size_t point) {
-      for (const auto& s : series_of(table, point))
-        if (s.path == measured_path(k)) return s.values;
-      return std::vector<double>(fit.measured[k].data.values.size(), std::nan(""));
-    };
-    Json one = measured_difference(fit.measured[k], shown(*best->found));
-    one["rms_start"] = json_number(difference_of(fit.measured[k], shown(start)).rms);
-    j["measured"].push_back(std::move(one));
+    Json one = measured_difference(fit.measured[k], points.computed(*best.found, k));
+    one["rms_start"] = json_number(difference_of(fit.measured[k], points.computed(best.course.front(), k)).rms);
+    list.push_back(std::move(one));
   }
+  return list;
+}
+
+}  // namespace
+
+Json fit_summary(const Study& study, const Design& design, const StudyTable& table) {
+  const Fit& fit = *study.fit;
+  const FitPoints points(study, design, table);
+  const auto searches = points_of(study, design);
+  Json j{{"evaluations", design.steps.size()}, {"searches", searches_json(points, searches)}};
+  j["course"] = course_json(points, design, searches);
+  j["parameters"] = Json::object();
+  const SearchPoints* best = best_of(points, searches);
+  if (!best) return j;
+
+  const std::size_t start = best->course.front();
+  const auto r = points.residuals(*best->found);
+  const auto J = points.derivatives_around(*best);
+  const auto C = covariance_of_those_with_effect(fit, r, J);
+  const double freedom = static_cast<double>(r.size()) - static_cast<double>(study.searched.size());
+  j["point"] = *best->found;
+  j["start_point"] = start;
+  j["sum_of_squares"] = r.squaredNorm();
+  j["start_sum_of_squares"] = json_number(points.sum_of_squares(start));
+  j["degrees_of_freedom"] = freedom;
+  if (fit.measured.front().deviation) j["chi_square_per_freedom"] = r.squaredNorm() / freedom;
+  j["parameters"] = parameters_json(points, *best, J, C);
+  if (C) j["correlation"] = correlation_json(C->matrix);
+  j["measured"] = measured_json(fit, points, *best);
   return j;
 }
 
