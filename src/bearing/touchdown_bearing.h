@@ -173,7 +173,9 @@ class TouchdownBearing final : public Support {
   /// How far the nearest place of a shoulder's face is inside the ring [m]; below zero what is left of the gap, minus infinity without shoulders.
   /// @param journal  the rotor's motion; @param y  the bearing's state
   [[nodiscard]] double overlap_with_shoulders(const Motion& journal, std::span<const double> y) const;
-  /// Rings at rest, hanging in their balls under their own weight; the support carries the rings only.
+  /// Energy in the bristles of sticking friction; 0 of other friction [J].
+  [[nodiscard]] double energy_of_bristles(std::span<const double> y) const;
+  /// Rings at rest, hanging in their balls under their own weight and bent by their waves and preload; the support carries the rings only.
   void initial_state(std::span<double> y) const override;
   void evaluate(const SupportInput& input, std::span<const double> y, std::span<double> dydt,
                 std::span<double> ledger_rates, SupportOutput& out) const override;
@@ -288,6 +290,10 @@ class TouchdownBearing final : public Support {
     double stiffness, mass, inverse_mass, damping;  // [N/m], [kg], [1/kg], [N s/m]
   };
   [[nodiscard]] std::vector<ShapeMotion> shape_motions() const;
+  /// Of inner and outer ring in series, for each coefficient of the inner one [N/m].
+  [[nodiscard]] std::vector<double> stiffness_of_both_rings() const;
+  /// Divides what the grooves are widened by between both rings.
+  void bend_at_rest(std::span<const double> widening, std::span<double> y) const;
   [[nodiscard]] double bend(std::span<const double> y, ShapeForces& forces, std::span<double> dydt) const;
   [[nodiscard]] double bending_energy(std::span<const double> y) const;
   [[nodiscard]] std::vector<StateEntry> shape_entries() const;

@@ -74,6 +74,27 @@ std::vector<TouchdownBearing::ShapeMotion> TouchdownBearing::shape_motions() con
   return motions;
 }
 
+std::vector<double> TouchdownBearing::stiffness_of_both_rings() const {
+  std::vector<double> both;
+  if (!data_.bending) return both;
+  const std::size_t n = data_.bending->n_inner(), m = data_.bending->n_outer();
+  for (std::size_t k = 0; k < n; ++k) {
+    const double inner = shape_motions_[k].stiffness;
+    both.push_back(k < m ? 1. / (1. / inner + 1. / shape_motions_[n + k].stiffness) : inner);
+  }
+  return both;
+}
+
+void TouchdownBearing::bend_at_rest(std::span<const double> widening, std::span<double> y) const {
+  const auto both = stiffness_of_both_rings();
+  const std::size_t n = both.size(), m = data_.bending ? data_.bending->n_outer() : 0;
+  for (std::size_t k = 0; k < n; ++k) {
+    const double force = both[k] * widening[k];
+    y[shapes_at() + k] = force / shape_motions_[k].stiffness;
+    if (k < m) y[shapes_at() + n + k] = -force / shape_motions_[n + k].stiffness;
+  }
+}
+
 double TouchdownBearing::bend(std::span<const double> y, ShapeForces& f, std::span<double> dydt) const {
   const std::size_t at = shapes_at(), n = data_.bending->n_inner(), all = shape_motions_.size();
   double loss = 0.;

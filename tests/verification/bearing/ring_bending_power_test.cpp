@@ -22,27 +22,6 @@ namespace {
 using namespace rotordrop::testing;
 using TB = TouchdownBearing;
 
-BentRings bent(RingBendingModel model, int highest, bool has_outer, double gap) {
-  RingSection s;
-  s.inner_radius = 35e-3;
-  s.outer_radius = 39e-3;
-  s.width = 20e-3;
-  s.E = 2e11;
-  s.nu = 0.3;
-  s.rho = 7800.;
-  BentRings b;
-  b.model = model;
-  b.inner = ring_harmonics(s, highest);
-  if (has_outer) {
-    b.outer = b.inner;
-    for (auto& h : b.outer) h.stiffness += 2e8;
-  }
-  b.damping_ratio = 0.02;
-  b.frequency_limit = 20e3;
-  b.arc = ArcContact(1.144e9, 10. / 9., gap);
-  return b;
-}
-
 Instant random_instant(const TB& bearing, std::mt19937& random, bool in_contact) {
   std::uniform_real_distribution<double> one(-1, 1);
   Instant s;

@@ -96,4 +96,26 @@ inline TouchdownBearingData touchdown(std::string name, std::vector<BallRowGeome
   return d;
 }
 
+/// Rings of 35 to 39 mm and 20 mm width; the outer one, if it bends, on a bedding.
+inline BentRings bent(RingBendingModel model, int highest, bool has_outer, double gap) {
+  RingSection s;
+  s.inner_radius = 35e-3;
+  s.outer_radius = 39e-3;
+  s.width = 20e-3;
+  s.E = 2e11;
+  s.nu = 0.3;
+  s.rho = 7800.;
+  BentRings b;
+  b.model = model;
+  b.inner = ring_harmonics(s, highest);
+  if (has_outer) {
+    b.outer = b.inner;
+    for (auto& h : b.outer) h.stiffness += 2e8;
+  }
+  b.damping_ratio = 0.02;
+  b.frequency_limit = 20e3;
+  b.arc = ArcContact(1.144e9, 10. / 9., gap);
+  return b;
+}
+
 }  // namespace rotordrop::testing
