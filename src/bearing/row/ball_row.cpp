@@ -64,7 +64,7 @@ BallRow::BallRow(const BallRowGeometry& geometry, const std::vector<RaceWave>& w
   if (g.n_balls > max_balls) throw std::invalid_argument("a row holds at most 256 balls");
   numbers_.grooves = groove_centres(g);
   numbers_.strains = row_strains(g);
-  numbers_.position = g.position;
+  numbers_.position = numbers_.strains.inner.axial;
   numbers_.difference_share = g.difference_share;
   numbers_.stiffness = g.stiffness;
   numbers_.damping = 1.5 * g.damping_beta;

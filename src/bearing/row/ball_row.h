@@ -135,8 +135,9 @@ template <class Real>
 struct RowNumbers {
   GroovesOf<Real> grooves;
   RowStrainsOf<Real> strains;
-  Real position, difference_share;                         ///< as in BallRowGeometry
-  Real stiffness, damping, stiffness_root;                 ///< K, 1.5 beta, K^(1/3)
+  Real position;                            ///< of the inner groove's centre along the axis, in the ring's frame [m]
+  Real difference_share;                    ///< as in BallRowGeometry
+  Real stiffness, damping, stiffness_root;  ///< K, 1.5 beta, K^(1/3)
   Real ball_mass, pitch_diameter, inner_gyroscopic_share;  ///< as in BallRowGeometry
   RaceContactOf<Real> inner, outer;
   RaceEdgesOf<Real> edges;

@@ -54,6 +54,7 @@ RingStatics::Row RingStatics::row_of(const BallRowGeometry& g, bool is_pressed_b
   Row row;
   row.rest = rest_of(g, surroundings_);
   row.arm = groove_centres(g).arm;
+  row.position = row_strains(g).inner.axial;
   row.travel = is_pressed_by_spring ? g.direction : 0.;
   for (int ball = 0; ball < g.n_balls; ++ball) {
     const double azimuth = g.phase + 2. * std::numbers::pi * ball / g.n_balls + surroundings_.cage_angle;
@@ -67,10 +68,9 @@ RingStatics::Row RingStatics::row_of(const BallRowGeometry& g, bool is_pressed_b
 RingStatics::BallMotion RingStatics::motion(std::size_t row, int ball) const {
   const Row& r = places_[row];
   const double c = r.cosine[static_cast<std::size_t>(ball)], s = r.sine[static_cast<std::size_t>(ball)];
-  const double at = rows_[row].position;
   BallMotion by_place;
   by_place << 1., 0., 0., r.arm * s, -r.arm * c, r.travel,  //
-      0., c, s, -at * s, at * c, 0.;
+      0., c, s, -r.position * s, r.position * c, 0.;
   return by_place;
 }
 

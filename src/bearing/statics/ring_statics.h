@@ -92,8 +92,9 @@ class RingStatics {
   using BallMotion = Eigen::Matrix<double, 2, n_ring_unknowns>;  // dB / d unknowns
   /// What does not depend on the ring's place.
   struct Row {
-    Eigen::Vector2d rest;  ///< centre of the inner groove from that of the outer one, in the mounted place [m]
-    double arm = 0, travel = 0;
+    Eigen::Vector2d rest;          ///< centre of the inner groove from that of the outer one, in the mounted place [m]
+    double arm = 0, position = 0;  ///< of the inner groove's centre: R_c, and along the axis [m]
+    double travel = 0;
     std::vector<double> azimuth, cosine, sine;  ///< of the balls
   };
   [[nodiscard]] Row row_of(const BallRowGeometry& g, bool is_pressed_by_spring) const;

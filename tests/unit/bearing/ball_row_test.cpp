@@ -131,12 +131,13 @@ TEST(BallRow, LoadsOfAllBallsAddUpToTheRowsForce) {
     EXPECT_NEAR(out.largest_load, *std::max_element(load.begin(), load.end()), 1e-10 * out.largest_load) << "N";
     double fx = 0., fy = 0., fz = 0.;
     const double A = 0.04 * g.ball_diameter,
-                 R_c = 0.5 * g.pitch_diameter + 0.02 * g.ball_diameter * std::cos(g.contact_angle);
+                 R_c = 0.5 * g.pitch_diameter + 0.02 * g.ball_diameter * std::cos(g.contact_angle),
+                 x_c = g.position + g.direction * 0.02 * g.ball_diameter * std::sin(g.contact_angle);
     const auto& e = in.displacement;
     for (int j = 0; j < g.n_balls; ++j) {
       const double b = g.phase + 2. * pi * j / g.n_balls + in.cage_angle, c = std::cos(b), s = std::sin(b);
       const double Br = A * std::cos(g.contact_angle) - g.radial_clearance + in.radial_growth +
-                        (e.y + g.position * e.psi_z) * c + (e.z - g.position * e.psi_y) * s;
+                        (e.y + x_c * e.psi_z) * c + (e.z - x_c * e.psi_y) * s;
       const double Bx =
           g.direction * (A * std::sin(g.contact_angle) + g.preload_offset) + e.x + R_c * (e.psi_y * s - e.psi_z * c);
       const double F = load[static_cast<std::size_t>(j)], B = std::hypot(Br, Bx);

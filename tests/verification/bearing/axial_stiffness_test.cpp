@@ -106,7 +106,8 @@ TEST(BallRow, OArrangementResistsTiltMoreThanX) {
   const double A = 0.04 * 9.525e-3, Br = A * std::cos(25 * deg), Bx = A * std::sin(25 * deg) + g.preload_offset,
                B = std::hypot(Br, Bx);
   const double R_c = 42.5e-3 + 0.02 * 9.525e-3 * std::cos(25 * deg), c = Br / B, s = Bx / B, delta = B - A;
-  const auto expected = [&](double x) {  // of the pair
+  const auto expected = [&](double x_row) {                         // of the pair, by its row that is loaded towards +x
+    const double x = x_row + 0.02 * 9.525e-3 * std::sin(25 * deg);  // of the inner groove's centre
     return g.n_balls * g.stiffness * std::sqrt(delta) *
            (1.5 * std::pow(x * c - R_c * s, 2) + delta / B * std::pow(x * s + R_c * c, 2));
   };

@@ -1,6 +1,7 @@
 // The ball row's forces come from one energy.
 //
-// ORACLE. The inner groove's centre above ball j lies at p = (x_row, R_c cos b, R_c sin b), R_c = d_m/2 + (f_in - 1/2) d cos phi_0, in the ring's frame.
+// ORACLE. The inner groove's centre above ball j lies at p = (x_c, R_c cos b, R_c sin b) in the ring's frame, (f_in - 1/2) d from the ball's along the normal:
+// R_c = d_m/2 + (f_in - 1/2) d cos phi_0, x_c = x_row + s (f_in - 1/2) d sin phi_0.
 // The ring moves by e and tilts by psi = (0, psi_y, psi_z): the centre moves by u = e + psi x p. In the ball's plane (axis x, radial direction
 // (0, cos b, sin b)) the groove centres are then apart by
 //   B_r = A cos phi_0 - clearance + growth + u . radial,   B_x = s (A sin phi_0 + offset) + u_x,
@@ -29,12 +30,14 @@ double oracle_energy(const BallRowGeometry& g, const std::vector<RaceWave>& wave
                      double wave_cage_angle) {
   const double A = (g.inner_conformity + g.outer_conformity - 1.) * g.ball_diameter;
   const double R_c = 0.5 * g.pitch_diameter + (g.inner_conformity - 0.5) * g.ball_diameter * std::cos(g.contact_angle);
+  const double x_c =
+      g.position + g.direction * (g.inner_conformity - 0.5) * g.ball_diameter * std::sin(g.contact_angle);
   const auto& q = in.displacement;
   const Eigen::Vector3d e(q.x, q.y, q.z), psi(0, q.psi_y, q.psi_z);
   double U = 0.;
   for (int j = 0; j < g.n_balls; ++j) {
     const double own = g.phase + 2. * pi * j / g.n_balls, b = own + in.cage_angle, b_wave = own + wave_cage_angle;
-    const Eigen::Vector3d radial(0, std::cos(b), std::sin(b)), p = Eigen::Vector3d(g.position, 0, 0) + R_c * radial;
+    const Eigen::Vector3d radial(0, std::cos(b), std::sin(b)), p = Eigen::Vector3d(x_c, 0, 0) + R_c * radial;
     const Eigen::Vector3d u = e + psi.cross(p);
     // Strains move the contact points along the axis, and the grooves' centres away from them.
     const Eigen::Vector2d n(g.direction * std::sin(g.contact_angle), std::cos(g.contact_angle)), along(1, 0);

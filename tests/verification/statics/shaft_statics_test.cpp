@@ -140,11 +140,12 @@ TEST(ShaftStatics, JournalsAndFreeRingsTiltInBalance) {
     moment += x[static_cast<std::size_t>(s.node - 1)] * s.force_on_rotor[0] + M;
     EXPECT_LT(s.clearance, 0.) << s.name;
     if (s.ring.rows.size() < 2) continue;  // a deep groove's angles have both signs
-    // What the rotor does to the ring the balls do to it in return: about z, x_row F_y - R F_x cos b of each
-    // ball, R to the centre of the inner groove.
+    // What the rotor does to the ring the balls do to it in return: about z, x_c F_y - R F_x cos b of each
+    // ball, x_c and R to the centre of the inner groove.
     const auto& bearing = *c.parameters.bearings[i].touchdown();
     const double R = 0.5 * bearing.pitch_diameter +
                      (bearing.conformity[0] - 0.5) * bearing.ball_diameter * std::cos(bearing.contact_angle);
+    const double beside = (bearing.conformity[0] - 0.5) * bearing.ball_diameter * std::sin(bearing.contact_angle);
     const auto data = touchdown_data_of(c.parameters, c.parameters.bearings[i].name, bearing);
     double of_balls = 0.;
     for (std::size_t k = 0; k < s.ring.rows.size(); ++k) {
@@ -152,9 +153,10 @@ TEST(ShaftStatics, JournalsAndFreeRingsTiltInBalance) {
       for (const auto& ball : s.ring.rows[k].balls) thrust += ball.inner.load * std::sin(ball.inner.angle);
       const double sense = s.ring.rows[k].axial_force / thrust;  // of the row's thrust along x
       EXPECT_NEAR(std::abs(sense), 1., 1e-6) << s.name;
+      const double groove = data.rows[k].position + data.rows[k].direction * beside;
       for (const auto& ball : s.ring.rows[k].balls) {
         const double N = ball.inner.load, F_x = sense * N * std::sin(ball.inner.angle);
-        of_balls -= std::cos(ball.azimuth) * (data.rows[k].position * N * std::cos(ball.inner.angle) + R * F_x);
+        of_balls -= std::cos(ball.azimuth) * (groove * N * std::cos(ball.inner.angle) + R * F_x);
       }
     }
     EXPECT_NEAR(of_balls, M, 1e-3 * std::abs(M)) << "N m, " << s.name;
