@@ -130,6 +130,15 @@ double TouchdownBearing::overlap_with_shoulders(const Motion& j, std::span<const
   return overlap;
 }
 
+double TouchdownBearing::energy_of_bristles(std::span<const double> y) const {
+  if (!data_.sticking) return 0.;
+  if (!data_.free_ring) return data_.sticking->energy(bristle(y, bore_middle.number));
+  double U = 0.;
+  for (const BoreSlice& slice : bore_slices(data_.free_ring->contact_length))
+    U += slice.share * data_.sticking->energy(bristle(y, slice.number));
+  return U;
+}
+
 double TouchdownBearing::contact_energy(const SupportInput& in, const Expansion& growth,
                                         std::span<const double> y) const {
   const Motion& j = in.journal;
@@ -137,12 +146,12 @@ double TouchdownBearing::contact_energy(const SupportInput& in, const Expansion&
   const auto add = [&](const BoreSlice& slice, const Bodies& at) {
     U += slice.share * (arc_table_ ? arc_energy(growth, y, at)
                                    : data_.contact.energy(contact<true>(numbers_, in, growth, y, at).penetration));
-    if (data_.sticking) U += slice.share * data_.sticking->energy(bristle(y, slice.number));
   };
   if (data_.free_ring)
     for (const BoreSlice& slice : bore_slices(data_.free_ring->contact_length)) add(slice, bodies<true>(j, y, slice.x));
   else
     add(bore_middle, bodies<false>(j, y, 0.));
+  U += energy_of_bristles(y);
   if (!data_.free_ring) return U;
   const double r = data_.free_ring->shoulder_radius;
   for (const Shoulder& shoulder : data_.free_ring->shoulders)

@@ -155,6 +155,10 @@ class Machine final {
     return y.subspan(thermal_[model].state, thermal_[model].n_state);
   }
   [[nodiscard]] std::size_t heat_lost_ledger(std::size_t model) const { return thermal_[model].lost; }
+  /// Of a machine's state, the support's own.
+  [[nodiscard]] std::span<const double> support_part(std::size_t support, std::span<const double> y) const {
+    return y.subspan(places_[support].state, places_[support].n_state);
+  }
   [[nodiscard]] double initial_mechanical_energy() const { return initial_mechanical_; }
   [[nodiscard]] double mechanical_energy(double t, std::span<const double> y,
                                          const GrowthHistory* growth_in_force = nullptr) const;

@@ -159,6 +159,12 @@ class Thrust(ProgramTest):
         for name, bearing in self.run_case("neisi2019-thrust.toml", run__end_time="0.1 s")["bearings"].items():
             self.assertLess(abs(bearing["spin_up"]["residual"]), 1e-5 * bearing["friction_heat"], f"J, {name}")
 
+    def test_the_spin_up_balance_knows_what_bristles_store(self):
+        # At 9.5 ms the rotor presses on both bores: k z^2/2 is some 1e-3 J then.
+        for name, bearing in self.run_case("neisi2019-settling.toml", run__end_time="9.5 ms", contact__friction_law="sticking")["bearings"].items():
+            self.assertGreater(bearing["friction_heat"], 1, f"J, {name}")
+            self.assertLess(abs(bearing["spin_up"]["residual"]), 1e-5, f"J, {name}")
+
     def test_rings_that_need_not_tilt_do_as_locked_ones(self):
         # A rigid rotor with its centre of gravity midway between two equal bearings: no tilt, no axial force.
         text = (self.folder / "neisi2019.toml").read_text()

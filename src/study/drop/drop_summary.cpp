@@ -13,7 +13,7 @@ namespace rotordrop {
 namespace {
 
 // docs/theory/model.md, section 8: the rub heat from the spin-up alone, whatever friction, bounces and waves:
-//   E_slip = (r_r/r_b) integral omega_r (J omega_i' + M) dt - J omega_i^2/2 - integral M omega_i dt + integral F_t v_t dt.
+//   E_slip = (r_r/r_b) integral omega_r (J omega_i' + M) dt - J omega_i^2/2 - integral M omega_i dt + integral F_t v_t dt - energy of bristles.
 std::optional<BearingSummary::SpinUp> spin_up_balance(const Machine& machine, std::size_t support,
                                                       std::span<const double> y, double ring_speed) {
   const auto* bearing = dynamic_cast<const TouchdownBearing*>(&machine.support(support));
@@ -23,7 +23,7 @@ std::optional<BearingSummary::SpinUp> spin_up_balance(const Machine& machine, st
       d.rotor_radius / d.bore_radius * machine.ledger(support, "spin-up drive", y) -
       0.5 * d.ring_spin_inertia * ring_speed * ring_speed -
       (machine.ledger(support, "inner heat", y) + machine.ledger(support, "outer heat", y)) / d.heat_over_work +
-      machine.ledger(support, "spin-up centres", y);
+      machine.ledger(support, "spin-up centres", y) - bearing->energy_of_bristles(machine.support_part(support, y));
   return BearingSummary::SpinUp{balance, machine.ledger(support, "rub heat", y) - balance};
 }
 
