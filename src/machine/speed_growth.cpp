@@ -9,7 +9,8 @@ namespace rotordrop {
 
 Expansion ring_growth_by_speed(const MachineParameters& p, const TouchdownParameters& b) {
   const auto& m = material_of(p, b.ring);
-  const double inside = 0.5 * b.inner_ring_diameters[0], outside = 0.5 * b.inner_ring_diameters[1];
+  const double inside = 0.5 * b.inner_ring_diameters[0];
+  const double outside = 0.5 * b.inner_shoulder_diameter.value_or(b.inner_ring_diameters[1]);
   const RaceSurfaces races = race_surfaces(p, b);
   Expansion g;
   g.bore = spinning_ring_growth(m.E, m.nu, m.rho, inside, outside, inside);
