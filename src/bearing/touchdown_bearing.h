@@ -336,6 +336,9 @@ class TouchdownBearing final : public Support {
                const ExpansionOf<Real>& growth, std::span<const Real> y, const ObservedTouchOf<Real>& touch,
                const BallForcesOf<Real>& balls, const Real& load_torque, const Real& drag_torque,
                const Real& ring_acceleration, const HeatInputOf<Real>& heat, std::span<Real> out) const;
+  template <class Real, class Row>
+  void observe_details(std::span<const Row> rows, const BallRowInputOf<Real>& input, std::span<const Real> y,
+                       std::span<Real> out) const;
   [[nodiscard]] static TouchdownNumbers<double> numbers_of(const TouchdownBearingData& data);
 
   TouchdownBearingData data_;

@@ -228,14 +228,22 @@ void TouchdownBearing::evaluate_with(const Of& of, const SupportInputOf<Real>& i
     observe(q, rows, in, grown, y, touch, balls, M_L, M_v, dydt[ring_spin], out.heat, out.observed);
     if (data_.support_law) of.observe_support(support, y, out.observed.last(3));
   }
-  if (!out.observed_details.empty()) {
-    std::size_t at = 0;
-    for (const auto& row : rows) {
-      row.ball_loads(rows_in, out.observed_details.subspan(at, row.n_balls()));
-      at += row.n_balls();
-    }
-    for (std::size_t k = 0; k < n_shapes(); ++k) out.observed_details[at + k] = y[shapes_at() + k];
+  if (!out.observed_details.empty()) observe_details(rows, rows_in, y, out.observed_details);
+}
+
+template <class Real, class Row>
+void TouchdownBearing::observe_details(std::span<const Row> rows, const BallRowInputOf<Real>& rows_in,
+                                       std::span<const Real> y, std::span<Real> out) const {
+  const bool on_both_races = data_.ball_model == BallModel::inertial;
+  std::size_t n_balls = 0, at = 0;
+  for (const auto& row : rows) n_balls += row.n_balls();
+  for (const auto& row : rows) {
+    const std::size_t n = row.n_balls();
+    row.ball_loads(rows_in, out.subspan(at, n), on_both_races ? out.subspan(n_balls + at, n) : std::span<Real>());
+    at += n;
   }
+  if (on_both_races) at += n_balls;
+  for (std::size_t k = 0; k < n_shapes(); ++k) out[at + k] = y[shapes_at() + k];
 }
 
 template <class Real, class Of>

@@ -144,12 +144,14 @@ std::vector<Observable> TouchdownBearing::observables() const {
 }
 
 std::vector<Observable> TouchdownBearing::detailed_observables() const {
-  Observable loads{"ball_loads", "N", "load of every ball", 0, {}};
+  Observable loads{"ball_loads", "N", "load of every ball; with ball_model = \"inertial\" on the inner race", 0, {}};
   for (std::size_t i = 0; i < rows_.size(); ++i)
     for (int j = 0; j < rows_[i].geometry().n_balls; ++j)
       loads.columns.push_back("row " + std::to_string(i + 1) + " ball " + std::to_string(j + 1));
   loads.size = loads.columns.size();
   std::vector<Observable> list = {loads};
+  if (data_.ball_model == BallModel::inertial)
+    list.push_back({"outer_ball_loads", "N", "load of every ball on the outer race", loads.size, loads.columns});
   if (data_.bending)
     for (auto& shape : shape_observables()) list.push_back(std::move(shape));
   return list;

@@ -18,7 +18,7 @@ struct FatigueShare {
   double rating = 0;  ///< C of all rows [N]
   double by_cycles = 0,
          by_rolling = 0;     ///< the same by load cycles and by rolling alone; of each row the larger counts
-  double largest_cycle = 0;  ///< range [N]
+  double largest_cycle = 0;  ///< range on the inner race [N]
   double equivalent_cycles =
       0;                        ///< cycles of that range that do the same to its ball; of the ball with the largest sum
   double load_over_rating = 0;  ///< largest cycle over the ball load under C; ISO 281 holds to 0.5
@@ -67,14 +67,18 @@ class BallFatigue final : public Observer {
   [[nodiscard]] std::optional<FatigueShare> of(const std::string& bearing) const;
 
  private:
+  /// Loads of all balls on one race.
+  struct Race {
+    std::size_t column = 0;          // of the first ball among the details
+    std::vector<OverTurns> rolling;  // of each row
+    std::vector<LoadCycles> balls;   // of all rows
+  };
   struct Bearing {
     std::string name;
     double rating = 0;
-    std::size_t column = 0;      // of the first ball among the details
     std::size_t ring_speed = 0;  // among the step observables
     std::vector<RatedRow> rows;
-    std::vector<OverTurns> rolling;  // of each row
-    std::vector<LoadCycles> balls;   // of all rows
+    std::vector<Race> races;  // the inner one and, where their loads differ, the outer one
   };
   std::vector<Bearing> bearings_;
 };

@@ -161,8 +161,8 @@ void BallRow::evaluate(const BallRowInput& in, BallRowOutput& out, RowTractions*
   run(row_kernels().sum_all_motions, in, out, tractions);
 }
 
-void BallRow::ball_loads(const BallRowInput& in, std::span<double> load) const {
-  if (const double F_0 = inertia_force(in); F_0 > 0.) return inertial_loads(in, F_0, load);
+void BallRow::ball_loads(const BallRowInput& in, std::span<double> load, std::span<double> outer_load) const {
+  if (const double F_0 = inertia_force(in); F_0 > 0.) return inertial_loads(in, F_0, load, outer_load);
   Widening bent;
   WavesAtBalls waves;
   const KernelInput balls = kernel_input(in, waves, bent);
@@ -175,6 +175,7 @@ void BallRow::ball_loads(const BallRowInput& in, std::span<double> load) const {
     press_ball(balls.place, b);
     load[k] = b.F;
   }
+  std::copy_n(load.begin(), outer_load.size(), outer_load.begin());
 }
 
 double BallRow::energy(const BallRowInput& in) const {

@@ -194,7 +194,7 @@ class BallRow {
   void evaluate_translations(const BallRowInput& input, BallRowOutput& out, RowTractions* tractions = nullptr) const;
   void evaluate(const BallRowInput& input, BallRowOutput& out, RowTractions* tractions = nullptr) const;
   /// Load of every ball on the inner race [n_balls] [N]; with inertia without its damping.
-  void ball_loads(const BallRowInput& input, std::span<double> load) const;
+  void ball_loads(const BallRowInput& input, std::span<double> load, std::span<double> outer_load = {}) const;
   /// Elastic energy sum 2/5 K delta^2.5 [J], of both contacts.
   [[nodiscard]] double energy(const BallRowInput& input) const;
   /// Axial approach of the races [m] at which an undisplaced row carries an axial load [N] with this geometry's contact.
@@ -230,7 +230,7 @@ class BallRow {
   /// @param tilts  false for a ring that only translates; @param waves, bent  space that what is returned may refer to
   [[nodiscard]] InertialInput inertial_input(const BallRowInput& input, double F_0, bool tilts, WavesAtBalls& waves,
                                              Widening& bent) const;
-  void inertial_loads(const BallRowInput& input, double F_0, std::span<double> load) const;
+  void inertial_loads(const BallRowInput& input, double F_0, std::span<double> inner, std::span<double> outer) const;
   [[nodiscard]] double inertial_energy(const BallRowInput& input, double F_0) const;
   void evaluate_inertial(const BallRowInput& input, double F_0, bool tilts, BallRowOutput& out,
                          RowTractions* tractions) const;

@@ -66,12 +66,14 @@ void BallRow::evaluate_inertial(const BallRowInput& in, double F_0, bool tilts, 
   out.inertia_per_speed *= 2. / in.ring_speed;  // F_0 goes with the square of the speed
 }
 
-void BallRow::inertial_loads(const BallRowInput& in, double F_0, std::span<double> load) const {
+void BallRow::inertial_loads(const BallRowInput& in, double F_0, std::span<double> inner,
+                             std::span<double> outer) const {
   Widening bent;
   WavesAtBalls waves;
-  alignas(64) std::array<double, max_balls> inner;
-  inertial_kernels().loads(inertial_input(in, F_0, true, waves, bent), inner.data());
-  std::copy_n(inner.begin(), load.size(), load.begin());
+  alignas(64) std::array<double, max_balls> Q_i, Q_o;
+  inertial_kernels().loads(inertial_input(in, F_0, true, waves, bent), Q_i.data(), Q_o.data());
+  std::copy_n(Q_i.begin(), inner.size(), inner.begin());
+  std::copy_n(Q_o.begin(), outer.size(), outer.begin());
 }
 
 double BallRow::inertial_energy(const BallRowInput& in, double F_0) const {

@@ -61,15 +61,16 @@ class InertialRowInLanes {
               });
     return 0.4 * sum;
   }
-  /// @param load  on the inner race, without damping [n_balls]
+  /// @param load, outer_load  on either race, without damping [n_balls]
   template <class WavesAt>
   void ball_loads(const RowNumbers<Real>& numbers, const BallRowInputOf<Real>& in, const Turning& turning,
-                  const WavesAt& waves_at, bool is_wavy, std::span<Real> load) const {
+                  const WavesAt& waves_at, bool is_wavy, std::span<Real> load, std::span<Real> outer_load) const {
     const RowPlaceOf<Real> place = row_place(numbers, in, Real(0.));
     std::size_t j = 0;
     for_balls({numbers, in, place, turning, is_wavy, true}, waves_at,
               [&](const auto&, auto, const BallInRow<Real>&, const BallInBalance<Real>& balanced) {
                 const Real& u = balanced.ball.u;
+                outer_load[j] = balanced.ball.Q_o;
                 load[j++] = u * u * u;
               });
   }

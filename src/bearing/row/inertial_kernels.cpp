@@ -148,9 +148,12 @@ void with_balanced(const InertialInput& in, const Use& use) {
     in.bent ? with_balanced<true, false>(in, use) : with_balanced<false, false>(in, use);
 }
 
-void loads(const InertialInput& in, double* Q_i) {
+void loads(const InertialInput& in, double* Q_i, double* Q_o) {
   with_balanced(in, [&](const BallInBalance<Balls>* balls) {
-    for (std::size_t j = 0; j < in.n; j += at_once) inner_load(balls[j / at_once].ball).store(Q_i + j);
+    for (std::size_t j = 0; j < in.n; j += at_once) {
+      inner_load(balls[j / at_once].ball).store(Q_i + j);
+      balls[j / at_once].ball.Q_o.store(Q_o + j);
+    }
   });
 }
 

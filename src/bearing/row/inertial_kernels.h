@@ -31,8 +31,8 @@ struct InertialKernels {
   Sums* sum_in_plane;      ///< of a ring that only translates, its contact angles zero
   Sums* sum_translations;  ///< of a ring that only translates
   Sums* sum_all_motions;   ///< of one that moves in all five ways
-  /// Loads on the inner race, of a ring that moves in all five ways. @param Q_i  [n]
-  void (*loads)(const InertialInput& in, double* Q_i);
+  /// Loads on both races, of a ring that moves in all five ways. @param Q_i, Q_o  [n]
+  void (*loads)(const InertialInput& in, double* Q_i, double* Q_o);
   /// Elastic energy of both contacts [J], of such a ring.
   double (*energy)(const InertialInput& in);
   void (*balance)(const InertialRow& row, double F_0, const InertialStart& starts, InertialBalls& balls);

@@ -43,15 +43,20 @@ class RowInLanes {
     out = select_all(stands, still, out);
     if (tractions) *tractions = select_all(stands, still_tractions, *tractions);
   }
-  void ball_loads(const BallRowInputOf<Real>& in, std::span<Real> load) const {
+  /// @param outer_load  of balls with inertia
+  void ball_loads(const BallRowInputOf<Real>& in, std::span<Real> load, std::span<Real> outer_load = {}) const {
     if (!inertial_.has_inertia()) return massless_loads(in, load);
     const Turning turning(numbers_, in);
-    if (any(turning.is)) inertial_.ball_loads(numbers_, in, turning, passed_waves(in), !waves_.empty(), load);
+    if (any(turning.is))
+      inertial_.ball_loads(numbers_, in, turning, passed_waves(in), !waves_.empty(), load, outer_load);
     const MaskOf<Real> stands = !turning.is;
     if (!any(stands)) return;
     std::vector<Real> still(load.size());
     massless_loads(in, still);
-    for (std::size_t j = 0; j < load.size(); ++j) load[j] = select(stands, still[j], load[j]);
+    for (std::size_t j = 0; j < load.size(); ++j) {
+      load[j] = select(stands, still[j], load[j]);
+      outer_load[j] = select(stands, still[j], outer_load[j]);
+    }
   }
   [[nodiscard]] Real energy(const BallRowInputOf<Real>& in) const {
     if (!inertial_.has_inertia()) return massless_energy(in);

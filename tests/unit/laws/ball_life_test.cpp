@@ -110,6 +110,28 @@ TEST(BallLife, OfRollingIsThatOfIso281UnderRadialLoadAndUnderThrust) {
   EXPECT_NEAR(life_share(row, cycles_of_rolling(row, turns * Z * std::pow(Q, 3))), thrust, 0.02 * thrust);
 }
 
+TEST(BallLife, OfRacesWithDifferentLoadsIsThatOfTheStandard) {
+  // ISO/TS 16281: Q_ci = C / (0.407 Z cos(alpha)) [1 + X]^0.3, Q_ce = C / (0.389 Z cos(alpha)) [1 + 1/X]^0.3,
+  // X = {1.044 ((1 - gamma)/(1 + gamma))^1.72 [r_i (2 r_e - D) / (r_e (2 r_i - D))]^0.41}^(10/3),
+  // L10 = [(Q_ci/Q_ei)^(-10/3) + (Q_ce/Q_ee)^(-10/3)]^(-9/10), here over its value under equal loads.
+  for (const auto& [f_i, f_o] : {std::pair{0.52, 0.52}, std::pair{0.515, 0.53}})
+    for (const double outer_load : {0., 1., 1.62, 5.}) {
+      const RatedRow row{23, 9.525e-3, 85e-3, 0.4363, 33e3, f_i, f_o};
+      const double gamma = row.ball_diameter * std::cos(row.contact_angle) / row.pitch_diameter;
+      const double R =
+          std::pow((1. - gamma) / (1. + gamma), 1.72) * std::pow(f_i * (2. * f_o - 1.) / (f_o * (2. * f_i - 1.)), 0.41);
+      const double X = std::pow(1.044 * R, 10. / 3.);
+      const double inner = std::pow(1. + X, 0.3) / 0.407, outer = std::pow(1. + 1. / X, 0.3) / 0.389;
+      const auto share = [&](double Q_o) {
+        return std::pow(std::pow(1. / inner, 10. / 3.) + std::pow(Q_o / outer, 10. / 3.), 0.9);
+      };
+      const double expected = share(outer_load) / share(1.);
+      // 1.044 and 0.407/0.389 are rounded: together 0.2 % of the ratio of the ratings, cubed.
+      EXPECT_NEAR(of_both_races(row, 1., std::pow(outer_load, 3)), expected, 0.006 * expected) << outer_load;
+      EXPECT_NEAR(of_both_races(row, 0.3, 0.3), 0.3, 1e-15);
+    }
+}
+
 TEST(BallLife, OfAPairIsThatOfItsCommonRating) {
   // ISO 281: i equal rows have i^0.7 times the rating of one, and each carries its part of the load.
   const double C_of_one = 33e3, C = std::pow(2., 0.7) * C_of_one, F = 8e3;

@@ -56,7 +56,8 @@ TEST(RowsThatGrowApart, AtRestPressAsRowsOfOtherClearance) {
     for (int ball = 0; ball < rows[row].n_balls; ++ball) {
       const double load = by_growth.ball_reaction(row, ball, q, 0., 1.).balance.load_i;
       EXPECT_NEAR(load, by_clearance.ball_reaction(row, ball, q, 0., 1.).balance.load_i, 1e-8) << "N";
-      EXPECT_GT(std::fabs(load - neither.ball_reaction(row, ball, q, 0., 1.).balance.load_i), 0.1) << "N: too little to tell";
+      EXPECT_GT(std::fabs(load - neither.ball_reaction(row, ball, q, 0., 1.).balance.load_i), 0.1)
+          << "N: too little to tell";
     }
 }
 
