@@ -25,6 +25,9 @@ SLIPS_OF_PARTS = {
         (["bearings.TB1.support.squeeze_film.length=200 mm"], r"squeeze_film\.length = 200 mm, but the bearing is 20 mm wide"),
         (["bearings.TB2.support.elastomer.shape_factor=3 mm"], r"elastomer gives way by \d+\.?\d* mm under this bearing's share"),
         (["bearings.SPRING.stiffness=[[-1e6, 0], [0, 1e6]]"], r"SPRING\.stiffness = -1e\+06 N/m on its diagonal pushes the rotor away"),
+        # Eigenvalues of [[a, b], [b, a]]: a + b and a - b.
+        (["bearings.SPRING.stiffness=[[1e6, 3e6], [3e6, 1e6]]"], r"SPRING\.stiffness has -2e\+06 N/m in its softest direction, between y and z: it pushes the rotor away"),
+        (["bearings.SPRING.damping=[[1e2, 3e2], [3e2, 1e2]]"], r"SPRING\.damping has -200 N s/m in one direction between y and z: it drives the rotor"),
         (["bearings.SPRING.stiffness=[[0, 1e6], [1e6, 0]]"], r"SPRING\.stiffness couples y and z with 1e\+06 N/m, but has 0 N/m on its diagonal"),
         (["bearings.SPRING.stiffness=[[1e6, 0], [0, 1e9]]"], r"SPRING\.stiffness has 1e\+06 and 1e\+09 N/m on its diagonal: one is 1e\+03 times"),
         (["bearings.SPRING.damping=[[-1e2, 0], [0, 1e2]]"], r"SPRING\.damping = -100 N s/m on its diagonal drives the rotor"),

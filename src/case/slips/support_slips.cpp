@@ -124,6 +124,17 @@ void look_at_ring_seat(const std::string& name, const TouchdownParameters& b, co
   }
 }
 
+/// Smallest eigenvalue of the symmetric part: what the softest direction feels.
+double least_of(const LinearSupport::Matrix& K) {
+  return 0.5 * (K[0][0] + K[1][1] - std::hypot(K[0][0] - K[1][1], K[0][1] + K[1][0]));
+}
+
+/// Of a matrix with no negative entry on its diagonal: whether one direction between the axes has a negative value.
+bool is_negative_between_axes(const LinearSupport::Matrix& K) {
+  constexpr double rounding = 1e-12;
+  return K[0][0] >= 0. && K[1][1] >= 0. && least_of(K) < -rounding * (K[0][0] + K[1][1]);
+}
+
 /// Springs and dampers between rotor and ground: y against z, damping against stiffness.
 void look_at_matrices(const std::string& name, const LinearSupport::Matrix& K, const LinearSupport::Matrix& C,
                       double mass, const Node& tree, std::vector<Fault>& warnings) {
@@ -135,6 +146,17 @@ void look_at_matrices(const std::string& name, const LinearSupport::Matrix& K, c
          fmt::format("bearings.{}.stiffness has {:.4g} and {:.4g} N/m on its diagonal: one is {:.3g} times the other.",
                      name, K[0][0], K[1][1], stiffer / softer),
          "Check the units of both.");
+  if (is_negative_between_axes(K))
+    warn(warnings, position_of_value(table, "stiffness"),
+         fmt::format("bearings.{}.stiffness has {:.4g} N/m in its softest direction, between y and z: it pushes the "
+                     "rotor away.",
+                     name, least_of(K)),
+         "K_yz + K_zy is too large for the diagonal. Cross coupling of a fluid film has K_zy = -K_yz.");
+  if (is_negative_between_axes(C))
+    warn(warnings, position_of_value(table, "damping"),
+         fmt::format("bearings.{}.damping has {:.4g} N s/m in one direction between y and z: it drives the rotor.",
+                     name, least_of(C)),
+         "C_yz + C_zy is too large for the diagonal.");
   for (std::size_t i = 0; i < 2; ++i)
     if (const double critical = K[i][i] > 0. ? 2. * std::sqrt(K[i][i] * mass) : 0.;
         critical > 0. && C[i][i] > most_damping * critical)
