@@ -47,6 +47,8 @@ py::dict dict_of(const WhirlModes& found, std::size_t n_modes) {
   all["modes"] = modes;
   all["rigid_body_modes"] = found.n_rigid_body_modes;
   all["overdamped_modes"] = found.n_overdamped;
+  all["diverging_modes"] = found.n_diverging;
+  all["divergence_rate"] = found.divergence_rate;
   return all;
 }
 

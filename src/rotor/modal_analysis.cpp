@@ -109,9 +109,10 @@ WhirlModes ModalAnalysis::whirl_modes(double spin_speed, const std::vector<Linea
     const bool only_damped_by_alpha = std::abs(lambda(k) + options_.mass_proportional_alpha) < slow;
     if (std::abs(lambda(k)) < slow || (only_damped_by_alpha && static_cast<Eigen::Index>(system.held.size()) < N))
       ++n_zero;
-    else if (std::abs(lambda(k).imag()) <= barely_oscillating * std::abs(lambda(k)))
-      ++result.n_overdamped;
-    else if (lambda(k).imag() > 0)
+    else if (std::abs(lambda(k).imag()) <= barely_oscillating * std::abs(lambda(k))) {
+      ++(lambda(k).real() > 0. ? result.n_diverging : result.n_overdamped);
+      result.divergence_rate = std::max(result.divergence_rate, lambda(k).real());
+    } else if (lambda(k).imag() > 0)
       oscillating.push_back(k);
   }
   result.n_rigid_body_modes = n_zero / 2;

@@ -43,8 +43,9 @@ struct WhirlMode {
 struct WhirlModes {
   std::vector<WhirlMode> modes;  ///< by damped frequency, rising
   int n_rigid_body_modes = 0;    ///< motions without restoring force (slower than 0.01 Hz); not among the modes
-  int n_overdamped =
-      0;  ///< motions that creep back without oscillating (damping ratio above 0.995); not among the modes
+  int n_overdamped = 0;          ///< motions that creep back without oscillating; not among the modes
+  int n_diverging = 0;           ///< motions that move away without oscillating; not among the modes
+  double divergence_rate = 0;    ///< Re(lambda) of the fastest of these [1/s]; 0 if there are none
 };
 
 /// A spin speed that equals the damped frequency of one of the rotor's own modes: unbalance meets a resonance there.

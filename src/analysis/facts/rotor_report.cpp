@@ -112,6 +112,8 @@ CriticalSpeedReport critical_speeds(const MachineParameters& p, const CriticalSp
   const auto at_end = analysis.whirl_modes(options.up_to, supports);
   report.n_overdamped = at_end.n_overdamped;
   report.n_rigid_body_modes = at_end.n_rigid_body_modes;
+  report.n_diverging = at_end.n_diverging;
+  report.divergence_rate = at_end.divergence_rate;
   for (const double stiffness : options.map) {
     report.map_stiffness.push_back(stiffness);
     report.map_speeds.emplace_back();

@@ -53,7 +53,9 @@ struct CriticalSpeedReport {
   std::vector<std::string> left_out;  ///< supports of kinds added by others, unless --stiffness puts springs there
   bool is_on_given_stiffness = false;
   std::vector<CriticalSpeed> speeds;
-  int n_overdamped = 0;  ///< motions without oscillation at the highest speed
+  int n_overdamped = 0;        ///< motions that creep back without oscillation at the highest speed
+  int n_diverging = 0;         ///< motions that move away without oscillation at the highest speed
+  double divergence_rate = 0;  ///< of the fastest of these [1/s]
   int n_rigid_body_modes = 0;
   std::vector<double> map_stiffness;            ///< [N/m]
   std::vector<std::vector<double>> map_speeds;  ///< [n_stiffness][*] undamped critical speeds up to up_to [rad/s]

@@ -36,7 +36,9 @@ def dataset(case: _core.Case, speeds: list[float], n_modes: int) -> xarray.Datas
             "whirl": (at, whirl, {"long_name": "direction of whirl"}),
             "shape": ((*at, "axis", "node"), shape, {"units": "1", "long_name": "deflection; the largest amplitude is 1"}),
             "rigid_body_modes": ("speed", [one["rigid_body_modes"] for one in found["speeds"]], {"units": "1", "long_name": "motions without restoring force, not among the modes"}),
-            "overdamped_modes": ("speed", [one["overdamped_modes"] for one in found["speeds"]], {"units": "1", "long_name": "motions without oscillation, not among the modes"}),
+            "overdamped_modes": ("speed", [one["overdamped_modes"] for one in found["speeds"]], {"units": "1", "long_name": "motions that creep back without oscillation, not among the modes"}),
+            "diverging_modes": ("speed", [one["diverging_modes"] for one in found["speeds"]], {"units": "1", "long_name": "motions that move away without oscillation, not among the modes"}),
+            "divergence_rate": ("speed", [one["divergence_rate"] for one in found["speeds"]], {"units": "1/s", "long_name": "growth rate of the fastest diverging motion"}),
         },
         coords={
             "speed": ("speed", speeds, {"units": "rad/s", "long_name": "spin speed of the rotor"}),

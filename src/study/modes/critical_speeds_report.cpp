@@ -60,8 +60,8 @@ nlohmann::ordered_json critical_speeds_json(const Case& rotor_case, const Critic
   const double operating = std::abs(rotor_case.parameters.run.initial_speed);
   nlohmann::ordered_json j;
   j["case"] = rotor_case.name;
-  j["units"] = {{"speed", "rad/s"},   {"frequency", "Hz"}, {"damping_ratio", "1"},      {"separation", "1"},
-                {"stiffness", "N/m"}, {"up_to", "rad/s"},  {"operating_speed", "rad/s"}};
+  j["units"] = {{"speed", "rad/s"},   {"frequency", "Hz"}, {"damping_ratio", "1"},       {"separation", "1"},
+                {"stiffness", "N/m"}, {"up_to", "rad/s"},  {"operating_speed", "rad/s"}, {"divergence_rate", "1/s"}};
   const auto& supports = rotor_case.parameters.bearings;
   const bool has_magnets = std::any_of(supports.begin(), supports.end(), [](const auto& s) { return s.magnet(); });
   j["supports"] = report.stations.empty()        ? "free-free"
@@ -84,6 +84,8 @@ nlohmann::ordered_json critical_speeds_json(const Case& rotor_case, const Critic
   }
   j["overdamped_modes"] = report.n_overdamped;
   j["rigid_body_modes"] = report.n_rigid_body_modes;
+  j["diverging_modes"] = report.n_diverging;
+  j["divergence_rate"] = report.divergence_rate;
   if (!report.map_stiffness.empty()) {
     j["map"] = nlohmann::ordered_json::array();
     for (std::size_t k = 0; k < report.map_stiffness.size(); ++k)
@@ -118,6 +120,8 @@ std::string critical_speeds_text(const Case& rotor_case, const nlohmann::ordered
                         j["overdamped_modes"].get<int>());
   if (j["rigid_body_modes"].get<int>() > 0)
     text += fmt::format("Rigid-body motions at 0 Hz: {}, which have no critical speed.\n",
+  if (const int n = j["diverging_modes"].get<int>(); n > 0)
+    text += "At the highest speed: " + diverging_text(n, j["divergence_rate"].get<double>());
                         j["rigid_body_modes"].get<int>());
   if (j["supports"] == "free-free")
     text += "The case has no linear supports or magnets. --stiffness \"5e7 N/m\" puts springs at its bearings.\n";

@@ -18,8 +18,8 @@ struct CriticalSpeedQuestion {
 [[nodiscard]] CriticalSpeedOptions critical_speed_options(const Case& rotor_case,
                                                           const CriticalSpeedQuestion& question);
 
-/// {case, units, supports, stations, range, operating_speed, critical_speeds[].{speed, frequency, whirl, damping_ratio,
-/// separation}, overdamped_modes, rigid_body_modes, map[].{stiffness, speeds}}.
+/// {case, units, supports, stations, range, operating_speed, spin ("negative", if it is), critical_speeds[].{speed, frequency, whirl, damping_ratio,
+/// separation}, overdamped_modes, diverging_modes, divergence_rate, rigid_body_modes, map[].{stiffness, speeds}}.
 [[nodiscard]] nlohmann::ordered_json critical_speeds_json(const Case& rotor_case, const CriticalSpeedReport& report,
                                                           const CriticalSpeedOptions& options);
 /// A table for the screen.

@@ -36,6 +36,12 @@ std::string supports_with_stiffness(const CaseParameters& parameters) {
   return has_linear ? "linear supports and magnets" : "magnets";
 }
 
+std::string diverging_text(int n_diverging, double rate) {
+  return fmt::format(
+      "{} diverge{} without oscillation, growing by up to {:.4g} 1/s: the supports do not hold the rotor.\n",
+      n_diverging == 1 ? "1 motion" : fmt::format("{} motions", n_diverging), n_diverging == 1 ? "s" : "", rate);
+}
+
 ModesReport find_modes(const Case& rotor_case, const std::vector<double>& speeds) {
   ModesReport report;
   report.speeds = speeds;
@@ -57,6 +63,8 @@ nlohmann::ordered_json to_json(const ModesReport& report, std::size_t n_modes) {
     speed["speed"] = report.speeds[i];
     speed["rigid_body_modes"] = report.modes[i].n_rigid_body_modes;
     speed["overdamped_modes"] = report.modes[i].n_overdamped;
+    speed["diverging_modes"] = report.modes[i].n_diverging;
+    speed["divergence_rate"] = report.modes[i].divergence_rate;
     speed["modes"] = nlohmann::ordered_json::array();
     for (std::size_t k = 0; k < shown(report.modes[i], n_modes); ++k) {
       const auto& mode = report.modes[i].modes[k];
@@ -84,6 +92,8 @@ std::string to_table(const ModesReport& report, std::size_t n_modes) {
       text += fmt::format("  {:>4}  {:>9.3f} Hz  {:>8.4f} %  {}\n", k + 1, mode.frequency, 100. * mode.damping_ratio,
                           to_string(mode.whirl));
     }
+    if (report.modes[i].n_diverging > 0)
+      text += "  " + diverging_text(report.modes[i].n_diverging, report.modes[i].divergence_rate);
   }
   return text;
 }

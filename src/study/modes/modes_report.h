@@ -23,7 +23,10 @@ ModesReport find_modes(const Case& rotor_case, const std::vector<double>& speeds
 /// What holds a levitated rotor by its stiffness: "linear supports", "magnets", "linear supports and magnets"; empty if nothing does.
 [[nodiscard]] std::string supports_with_stiffness(const CaseParameters& parameters);
 
-/// supports, left_out[] (if there are such), speeds[].{speed, modes[].{frequency, natural_frequency, damping_ratio, whirl}}; rad/s and Hz.
+/// A sentence and a line's end about motions that diverge. @param rate  of the fastest [1/s]
+[[nodiscard]] std::string diverging_text(int n_diverging, double rate);
+
+/// supports, left_out[] (if there are such), speeds[].{speed, rigid_body_modes, overdamped_modes, diverging_modes, divergence_rate, modes[].{frequency, natural_frequency, damping_ratio, whirl}}; rad/s and Hz.
 nlohmann::ordered_json to_json(const ModesReport& report, std::size_t n_modes);
 /// A table of the first n_modes of each speed.
 std::string to_table(const ModesReport& report, std::size_t n_modes);

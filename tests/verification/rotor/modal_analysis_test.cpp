@@ -121,7 +121,26 @@ TEST(WhirlModes, KnowModalDampingOverdampedMotionAndAlpha) {
   const auto held = ModalAnalysis(geometry, {.cut_off_frequency = 0})
                         .whirl_modes(0, {{2, isotropic(K), isotropic(C)}, {28, isotropic(K), isotropic(C)}});
   EXPECT_EQ(held.n_overdamped, 8);
+  EXPECT_EQ(held.n_diverging, 0);
+  EXPECT_EQ(held.divergence_rate, 0);
   EXPECT_TRUE(held.modes.empty());
+}
+
+TEST(WhirlModes, TellMotionsThatDivergeFromThoseThatCreepBack) {
+  // Springs [[K, 2 K], [2 K, K]] have 3 K along (1, 1) and -K along (1, -1). At rest, in the direction (1, -1):
+  //   m x'' + 2 C x' - 2 K x = 0   and   Id phi'' + 2 C l^2 phi' - 2 K l^2 phi = 0,
+  // each with one root above and one below 0; those along (1, 1) oscillate.
+  const auto geometry = uniform_beam(8, 0.1);
+  const RigidBody body = rigid_body(geometry);
+  const double K = 3e6, C = 500, l = 0.25;
+  const Matrix springs = {{{K, 2 * K}, {2 * K, K}}};
+  const auto found = ModalAnalysis(geometry, {.cut_off_frequency = 0})
+                         .whirl_modes(0, {{3, springs, isotropic(C)}, {7, springs, isotropic(C)}});
+  const auto rate = [&](double mass) { return (-C + std::sqrt(C * C + 2 * K * mass)) / mass; };
+  EXPECT_EQ(found.n_diverging, 2);
+  EXPECT_EQ(found.n_overdamped, 2);
+  EXPECT_EQ(found.modes.size(), 2U);
+  EXPECT_NEAR(found.divergence_rate / std::max(rate(body.mass), rate(body.Id / (l * l))), 1, 1e-9);
 }
 
 TEST(WhirlModes, AreUnstableAboveTheThresholdOfACrossCoupledStiffness) {
