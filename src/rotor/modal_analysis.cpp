@@ -16,9 +16,6 @@ namespace rotordrop {
 
 namespace {
 
-// A damping ratio above 0.995: gyroscopic moments give motions that would only creep back a frequency far below their decay.
-constexpr double barely_oscillating = 0.1;
-
 using Complex = std::complex<double>;
 
 /// Deflections of all nodes in both planes: [2 n_nodes], y first.
@@ -82,6 +79,8 @@ std::string_view to_string(Whirl whirl) {
   }
   return "";
 }
+
+Complex WhirlMode::eigenvalue() const { return two_pi * Complex(-damping_ratio * natural_frequency, frequency); }
 
 ModalAnalysis::ModalAnalysis(const RotorGeometry& geometry, const ModalAnalysisOptions& options)
     : basis_(std::make_unique<const ModalBasis>(

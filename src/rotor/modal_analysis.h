@@ -38,7 +38,13 @@ struct WhirlMode {
   double damping_ratio = 0;      ///< -Re(lambda) / |lambda|; negative: unstable
   Whirl whirl = Whirl::planar;
   std::vector<std::complex<double>> v, w;  ///< [n_nodes] along y and z; the largest has amplitude 1
+
+  [[nodiscard]] std::complex<double> eigenvalue() const;  ///< lambda [rad/s]
 };
+
+/// A motion whose frequency is less than this part of |lambda| (damping ratio above 0.995) is taken as not oscillating:
+/// gyroscopic moments give motions that would only creep back a frequency far below their decay.
+inline constexpr double barely_oscillating = 0.1;
 
 struct WhirlModes {
   std::vector<WhirlMode> modes;  ///< by damped frequency, rising
@@ -85,13 +91,15 @@ class ModalAnalysis {
   /// A mode that is overdamped at every speed has no critical speed and is not among them. Where forward and backward
   /// whirl have one speed (no gyroscopic effect) it is listed once, as planar.
   /// @param up_to  [rad/s], > 0
+  /// @param sense  of the spin: its sign; matters where stiffness or damping couple y and z
   [[nodiscard]] std::vector<CriticalSpeed> critical_speeds(double up_to,
-                                                           const std::vector<LinearSupportAtNode>& supports) const;
+                                                           const std::vector<LinearSupportAtNode>& supports,
+                                                           double sense = 1.) const;
 
  private:
-  /// Damped frequencies of all coordinates [rad/s], falling; 0 for those that do not oscillate.
-  [[nodiscard]] std::vector<double> falling_frequencies(double spin_speed,
-                                                        const std::vector<LinearSupportAtNode>& supports) const;
+  /// One eigenvalue of every coordinate [rad/s], by falling frequency; 0 for those that do not oscillate.
+  [[nodiscard]] std::vector<std::complex<double>> falling_eigenvalues(
+      double spin_speed, const std::vector<LinearSupportAtNode>& supports) const;
 
   std::unique_ptr<const ModalBasis> basis_;
   ModalAnalysisOptions options_;

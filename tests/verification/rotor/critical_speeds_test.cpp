@@ -11,6 +11,13 @@
 //   S_11 = a^2 (L + a) / (3 E I) + c a (1 + a / L)
 //   S_12 = a (2 L + 3 a) / (6 E I) + c a / L
 //   S_22 = (L + 3 a) / (3 E I) + c / L
+// Rigid rotor on such supports with damping c and cross coupling K_yz = -K_zy = kappa; with z = y + i z the translation obeys
+//   m z'' + 2 c z' + 2 (k - i kappa) z = 0.
+// Put z = exp((sigma +- i Omega) t); imaginary and real part give
+//   sigma = +- kappa / (m Omega) - c / m,   m^2 Omega^4 - (2 k m - c^2) Omega^2 - kappa^2 = 0.
+// The upper sign turns from +y towards +z. Both whirl at the same Omega, the damping differs.
+// For the tilt m is Id, 2 c is c l^2 / 2 - i Omega Ip (spin from +y towards +z), and 2 k, 2 kappa are k l^2 / 2, kappa l^2 / 2.
+//
 // With the slope of the section (not of the line) as second coordinate the shear terms are those of the constant shear
 // forces M / L and F a / L in the span, and F in the overhang, by Castigliano.
 #include <gmock/gmock.h>
@@ -77,6 +84,53 @@ TEST(CriticalSpeeds, MoveWithDampingAndVanishWhenNothingOscillates) {
   EXPECT_NEAR(damped[0].speed, omega_0 * std::sqrt(1 - 0.4 * 0.4), 1e-9 * omega_0);
   EXPECT_NEAR(damped[0].damping_ratio, 0.4, 1e-9);
   EXPECT_TRUE(rotor.critical_speeds(1.5 * omega_0, 1.1 * rotor.m * omega_0).empty());
+}
+
+/// Two equal supports with cross-coupled stiffness under a rigid rotor with a disk that has Ip > Id: dampers make its tilt
+/// creep, and gyroscopic moments turn the creeping motion faster than the spin.
+struct RotorInOilFilms {
+  double m = 12, Ip = 0.5, Id = 0.26, l = 0.6, k = 3e6, c = 3e4, kappa = 2.08e7;
+
+  [[nodiscard]] std::vector<CriticalSpeed> critical_speeds(double up_to, double sense) const {
+    RotorGeometry geometry;
+    geometry.node_x = {0, l / 2, l};
+    for (int e = 1; e <= 2; ++e) geometry.elements.push_back({e, e + 1, 0.02, 0, {2e11, 0.3, 1e-6}});
+    geometry.mass_points = {{2, m, Ip, Id}};
+    std::vector<LinearSupportAtNode> films;
+    for (const int node : {1, 3}) films.push_back({node, {{{k, kappa}, {-kappa, k}}}, {{{c, 0}, {0, c}}}});
+    return ModalAnalysis(geometry, {.cut_off_frequency = 0}).critical_speeds(up_to, films, sense);
+  }
+};
+
+TEST(CriticalSpeeds, AreFoundAmongOverdampedMotionsInBothSensesOfSpin) {
+  const RotorInOilFilms rotor;
+  const double m = rotor.m, p = 2 * rotor.k * m - rotor.c * rotor.c, kappa = rotor.kappa;
+  const double speed = std::sqrt((p + std::sqrt(p * p + 4 * m * m * kappa * kappa)) / (2 * m * m));
+  const auto damping = [&](double towards_z) {
+    const double sigma = towards_z * kappa / (m * speed) - rotor.c / m;
+    return -sigma / std::hypot(sigma, speed);
+  };
+  ASSERT_NEAR(damping(1), 0.05, 0.05) << "one of both is lightly damped";
+  ASSERT_LT(damping(-1), 0.995);
+  for (const double sense : {1., -1.}) {
+    int n = 0;
+    for (const auto& one : rotor.critical_speeds(1000, sense)) {
+      if (std::abs(one.speed / speed - 1) > 1e-8) continue;
+      ++n;
+      const bool is_towards_z = (one.whirl == Whirl::forward) == (sense > 0);
+      EXPECT_NEAR(one.damping_ratio, damping(is_towards_z ? 1 : -1), 1e-7) << "sense " << sense;
+    }
+    EXPECT_EQ(n, 2) << "sense " << sense << ", at " << speed << " rad/s";
+  }
+}
+
+TEST(CriticalSpeeds, AreNoneOfARotorThatWhirlsWithItsSpinAtEverySpeed) {
+  // Free, with Ip = Id: the nutation has the frequency of the spin.
+  RotorGeometry geometry;
+  geometry.node_x = {0, 0.3, 0.6};
+  for (int e = 1; e <= 2; ++e) geometry.elements.push_back({e, e + 1, 0.02, 0, {2e11, 0.3, 1e-6}});
+  geometry.mass_points = {{2, 12, 0.3, 0.3}};
+  EXPECT_TRUE(ModalAnalysis(geometry, {.cut_off_frequency = 0}).critical_speeds(1000, {}).empty());
 }
 
 /// Steel shaft whose mass is a millionth of a disk's, on stiff pins.
