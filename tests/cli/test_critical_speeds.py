@@ -48,21 +48,74 @@ def element(length, outer, bore, material):
     return K, M, G
 
 
-def peer_critical_speeds(springs):
-    """(speed, direction) of the undamped reference rotor, rising; springs: stiffness by node."""
-    rotor = json.loads((PARAMS / "neisi2019-rotor.json").read_text())
+SMALL = {
+    "material": {"E": 2.07e11, "nu": 0.29, "rho": 7830.0},
+    "nodes": [{"id": k + 1, "x": 0.1 * k} for k in range(5)],
+    "elements": [{"n1": k, "n2": k + 1, "od": 0.04} for k in range(1, 5)],
+    "mass_points": [{"node": 5, "mass": 8, "Ip": 0.25, "Id": 0.13}, {"node": 2, "mass": 4, "Ip": 0.01, "Id": 0.02}],
+}
+
+
+def one_plane(rotor):
     x = [node["x"] for node in rotor["nodes"]]
     n = 2 * len(x)
     K, M, G = numpy.zeros((n, n)), numpy.zeros((n, n)), numpy.zeros((n, n))
     for e in rotor["elements"]:
         at = slice(2 * e["n1"] - 2, 2 * e["n2"])
-        for whole, part in zip((K, M, G), element(x[e["n2"] - 1] - x[e["n1"] - 1], e["od"], e["id_"], rotor["material"])):
+        for whole, part in zip((K, M, G), element(x[e["n2"] - 1] - x[e["n1"] - 1], e["od"], e.get("id_", 0), rotor["material"])):
             whole[at, at] += part
     for point in rotor["mass_points"]:
         at = 2 * point["node"] - 2
         M[at, at] += point["mass"]
         M[at + 1, at + 1] += point["Id"]
         G[at + 1, at + 1] += point["Ip"]
+    return K, M, G
+
+
+class DampedPeer:
+    """The small rotor without damping of its own on supports {node: (K, C)} with full matrices, by its eigenvalues over the spin."""
+
+    def __init__(self, supports):
+        K, M, G = one_plane(SMALL)
+        n = len(M)
+        self.inverse = numpy.linalg.inv(numpy.kron(numpy.eye(2), M))
+        self.K, self.C, self.G = numpy.kron(numpy.eye(2), K), numpy.zeros((2 * n, 2 * n)), numpy.kron([[0, 1], [-1, 0]], G)
+        for node, (stiffness, damping) in supports.items():
+            at = numpy.ix_([2 * node - 2, n + 2 * node - 2], [2 * node - 2, n + 2 * node - 2])
+            self.K[at] += stiffness
+            self.C[at] += damping
+
+    def eigenvalues(self, spin):
+        n = len(self.K)
+        return numpy.linalg.eigvals(numpy.block([[numpy.zeros((n, n)), numpy.eye(n)], [-self.inverse @ self.K, -self.inverse @ (self.C + spin * self.G)]]))
+
+    def critical_speeds(self, up_to, sense=1):
+        """(speed, damping ratio): every eigenvalue that oscillates is followed to the nearest one at the next of many speeds."""
+        nearest = lambda values, one: values[numpy.abs(values - one).argmin()]  # noqa: E731
+        found, spins = [], numpy.concatenate([numpy.geomspace(0.07, up_to / 100, 100), numpy.linspace(up_to / 100, up_to, 900)[1:]])
+        here = self.eigenvalues(sense * spins[0])
+        for a, b in zip(spins, spins[1:]):
+            there = self.eigenvalues(sense * b)
+            for low in here[here.imag > 0.05 * abs(here)]:
+                high = nearest(there, low)
+                if (low.imag > a) == (high.imag > b):
+                    continue
+                from_, to = [a, low], [b, high]
+                while to[0] - from_[0] > 1e-10 * b:
+                    middle = 0.5 * (from_[0] + to[0])
+                    value = nearest(self.eigenvalues(sense * middle), 0.5 * (from_[1] + to[1]))
+                    (from_ if (value.imag > middle) == (low.imag > a) else to)[:] = middle, value
+                speed, value = to
+                self_consistent = abs(value.imag / speed - 1) < 1e-6
+                if self_consistent and value.imag > 0.1 * abs(value):
+                    found.append((speed, -value.real / abs(value)))
+            here = there
+        return sorted(found)
+
+
+def peer_critical_speeds(springs):
+    """(speed, direction) of the undamped reference rotor, rising; springs: stiffness by node."""
+    K, M, G = one_plane(json.loads((PARAMS / "neisi2019-rotor.json").read_text()))
     for node, stiffness in springs.items():
         K[2 * node - 2, 2 * node - 2] += stiffness
     speeds = []
@@ -164,6 +217,70 @@ stiffness = [["7e7 N/m", 0], [0, "7e7 N/m"]]
         self.assertEqual(free["overdamped_modes"], 0)
         self.assertGreater(held["overdamped_modes"], 0)
         self.assertLess(len(held["critical_speeds"]), len(free["critical_speeds"]))
+
+    def on_films(self, supports, *options, speed="9000 rpm"):
+        """The small rotor on supports {node: (K, C)}."""
+        (self.folder / "small.json").write_text(json.dumps(SMALL))
+        text = f'[run]\ninitial_speed = "{speed}"\nend_time = "1 ms"\n[rotor]\ngeometry = "small.json"\nmodal_damping = 0\n'
+        for node, (stiffness, damping) in supports.items():
+            text += f'[bearings.N{node}]\ntype = "linear"\nnode = {node}\nstiffness = {stiffness}\ndamping = {damping}\n'
+        return self.critical(self.write("films.toml", text), *options)
+
+    # Dampers and cross-coupled springs as of journal bearings: K_yy, K_zz, K_yz = -K_zy and C at two nodes.
+    FILMS = {
+        "two dampers": {1: (2.5e7, 2.5e7, 0, 1.6e5), 4: (1.4e8, 1.4e8, 0, 3.85e4)},
+        "a soft, slow mode": {1: (2.149706e7, 1.61e4, 0, 6.69e4), 4: (4.39e4, 4.39e4, 1.63367e6, 7.326e4)},
+        "a slow pair": {1: (6.346e7, 3.2488e7, 2.33425e8, 8.27133e5), 4: (2.22565e7, 1.63905e7, 1.62461e7, 6.69384e4)},
+        "unstable": {1: (2e7, 2e7, 1.2e8, 3e5), 4: (2e7, 2e7, 1.2e8, 3e5)},
+        "thick films": {1: (1e6, 1e6, 4.5e8, 2e6), 4: (3e6, 1e6, 2e8, 1e6)},
+        "thin dampers": {1: (1e7, 8e6, 4e5, 1e3), 4: (2e7, 2e7, 1e6, 3e3)},
+    }
+
+    def test_none_is_missed_on_damped_and_cross_coupled_supports(self):
+        for name, films in self.FILMS.items():
+            supports = {node: ([[K_y, K], [-K, K_z]], [[C, 0.0], [0.0, C]]) for node, (K_y, K_z, K, C) in films.items()}
+            for speed, sense in (("9000 rpm", 1), ("-9000 rpm", -1)):
+                if sense < 0 and name != "unstable":
+                    continue
+                with self.subTest(films=name, speed=speed):
+                    found = self.on_films(supports, "--up-to", "20000 rpm", speed=speed)
+                    expected = DampedPeer(supports).critical_speeds(20000 * RPM, sense)
+                    self.assertGreater(len(expected), 0)
+                    # Bisection to 1e-10; the two double-precision eigenvalue problems agree to 1e-8.
+                    numpy.testing.assert_allclose([[one["speed"], one["damping_ratio"]] for one in found["critical_speeds"]], expected, rtol=1e-6, atol=1e-7)
+                    self.assertEqual(found.get("spin"), "negative" if sense < 0 else None)
+
+    def test_with_negative_spin_forward_whirl_is_that_of_the_mirrored_supports(self):
+        """Mirrored at the x-y plane the rotor spins the other way, and K_yz and K_zy change their signs."""
+        films = lambda K: {1: ([[1e7, K], [-K, 1e7]], [[1.5e3, 0.0], [0.0, 1.5e3]]), 4: ([[1e7, 0.0], [0.0, 1e7]], [[5e2, 0.0], [0.0, 5e2]])}  # noqa: E731
+        there, back = self.on_films(films(2e6)), self.on_films(films(-2e6), speed="-9000 rpm")
+        other = self.on_films(films(2e6), speed="-9000 rpm")
+        whirl = [one["whirl"] for one in there["critical_speeds"]]
+        self.assertTrue({"forward", "backward"} <= set(whirl))
+        self.assertEqual([one["whirl"] for one in back["critical_speeds"]], whirl)
+        damping = lambda found: [one["damping_ratio"] for one in found["critical_speeds"]]  # noqa: E731
+        numpy.testing.assert_allclose(damping(back), damping(there), rtol=1e-6, atol=1e-9)
+        self.assertTrue(any(a * b < 0 for a, b in zip(damping(other), damping(there))), "the coupling drives the other whirl")
+        self.assertIn("rpm of negative spin; supports", self.succeed("critical-speeds", "films.toml").stdout)
+        self.assertEqual(back["operating_speed"], there["operating_speed"])
+
+    def test_motions_that_diverge_are_told_from_those_that_creep_back(self):
+        supports = {1: ([[1e7, 2e7], [2e7, 1e7]], [[1.5e3, 0.0], [0.0, 1.5e3]]), 4: ([[1e7, 0.0], [0.0, 1e7]], [[5e2, 0.0], [0.0, 5e2]])}
+        found = self.on_films(supports)
+        values = DampedPeer(supports).eigenvalues(found["up_to"])
+        real = values[abs(values.imag) <= 0.1 * abs(values)].real
+        self.assertGreater(real.max(), 100)
+        self.assertEqual(found["diverging_modes"], numpy.count_nonzero(real > 0))
+        self.assertEqual(found["overdamped_modes"], numpy.count_nonzero(real < 0))
+        self.assertAlmostEqual(found["divergence_rate"] / real.max(), 1, places=8)
+        self.assertEqual(found["units"]["divergence_rate"], "1/s")
+        screen = self.succeed("critical-speeds", "films.toml").stdout
+        self.assertIn(f"1 motion diverges without oscillation, growing by up to {real.max():.4g} 1/s", screen)
+        at_rest = DampedPeer(supports).eigenvalues(0).real.max()
+        one = json.loads(self.succeed("modes", "films.toml", "--speeds", "0", "--json").stdout)["speeds"][0]
+        self.assertEqual((one["diverging_modes"], one["overdamped_modes"]), (1, 1))
+        self.assertAlmostEqual(one["divergence_rate"] / at_rest, 1, places=8)
+        self.assertIn(f"growing by up to {at_rest:.4g} 1/s", self.succeed("modes", "films.toml", "--speeds", "0").stdout)
 
     def test_no_speed_is_lost_to_springs_that_are_too_stiff(self):
         """Where both have the speeds of a pinned rotor, springs hold it; where rounding decides, nothing is left out in silence."""

@@ -500,6 +500,26 @@ class OtherRuns(ProgramTest):
                 if line["x"][0] <= x <= line["x"][-1]:
                     self.assertAlmostEqual(numpy.interp(x, line["x"], line["y"]), speed * 30 / math.pi, delta=0.01 * speed * 30 / math.pi)
 
+    def test_modes_and_campbell_diagram_are_those_of_the_sense_of_spin(self):
+        """Mirrored at the x-y plane the rotor spins the other way, and K_yz and K_zy change their signs."""
+        def report(speed, K):
+            supports = "".join(f'[bearings.{name}]\ntype = "linear"\nnode = {node}\nstiffness = [[2e7, {K}], [{-K}, 2e7]]\ndamping = [[4e3, 0], [0, 4e3]]\n' for name, node in (("A", 2), ("B", 28)))
+            self.write("films.toml", f'[run]\nend_time = "1 ms"\ninitial_speed = "{speed} rpm"\n[rotor]\ngeometry = "neisi2019-rotor.json"\n{supports}')
+            self.run_case("films.toml", "--force")
+            return self.report()
+        there, back, other = report(8000, 4e6), report(-8000, -4e6), report(-8000, 4e6)
+        modes = lambda data: [(one["whirl"], one["damping_ratio"]) for one in data["modes"]["modes"]]  # noqa: E731
+        points = lambda data: [(point["x"], point["text"]) for chart in data["charts"] if chart["id"] == "campbell" for point in chart["points"]]  # noqa: E731
+        for (a, damping_a), (b, damping_b) in zip(modes(there), modes(back)):
+            self.assertEqual(a, b)
+            self.assertAlmostEqual(damping_a, damping_b, places=7)
+        # The coupling drives forward whirl of positive spin, and backward whirl of negative spin.
+        self.assertEqual([whirl for whirl, damping in modes(there) if damping < 0][:1], ["forward"])
+        self.assertEqual([whirl for whirl, damping in modes(other) if damping < 0][:1], ["backward"])
+        self.assertEqual([text for _, text in points(there)], [text for _, text in points(back)])
+        self.assertNotEqual([text for _, text in points(there)], [text for _, text in points(other)])
+        self.assertEqual((there["modes"]["speed"], round(back["modes"]["speed"], 6)), (8000, -8000))
+
     def test_a_rigid_rotor_has_no_modes_and_a_side_view_of_its_own(self):
         self.succeed("run", self.case('rotor.model = "rigid"\n'), "-o", "out", "--quiet")
         data = self.report()

@@ -108,12 +108,13 @@ CriticalSpeedReport critical_speeds(const MachineParameters& p, const CriticalSp
   few.cut_off_frequency = 5. * options.up_to / (2. * std::numbers::pi);
   few.attachment_nodes = nodes;
   const ModalAnalysis analysis(p.rotor.geometry, options.is_coarse ? few : damped);
-  report.speeds = analysis.critical_speeds(options.up_to, supports);
-  const auto at_end = analysis.whirl_modes(options.up_to, supports);
+  const double sense = p.run.initial_speed < 0. ? -1. : 1.;
+  report.speeds = analysis.critical_speeds(options.up_to, supports, sense);
+  const auto at_end = analysis.whirl_modes(sense * options.up_to, supports);
   report.n_overdamped = at_end.n_overdamped;
-  report.n_rigid_body_modes = at_end.n_rigid_body_modes;
   report.n_diverging = at_end.n_diverging;
   report.divergence_rate = at_end.divergence_rate;
+  report.n_rigid_body_modes = at_end.n_rigid_body_modes;
   for (const double stiffness : options.map) {
     report.map_stiffness.push_back(stiffness);
     report.map_speeds.emplace_back();
@@ -126,7 +127,7 @@ CriticalSpeedReport critical_speeds(const MachineParameters& p, const CriticalSp
     const ModalAnalysis& coarse = few_modes ? *few_modes : analysis;
     for (int k = 0; k < options.n_speeds; ++k) {
       report.diagram_speeds.push_back(options.up_to * k / (options.n_speeds - 1));
-      report.diagram_modes.push_back(coarse.whirl_modes(report.diagram_speeds.back(), supports));
+      report.diagram_modes.push_back(coarse.whirl_modes(sense * report.diagram_speeds.back(), supports));
     }
   }
   return report;

@@ -47,7 +47,8 @@ struct CriticalSpeedOptions {
   bool is_coarse = false;   ///< all from the diagram's few modes: for pictures
 };
 
-/// Critical speeds of the rotor on linear supports, and what surrounds them.
+/// Critical speeds of the rotor on linear supports, and what surrounds them; the rotor spins in the sense of
+/// run.initial_speed.
 struct CriticalSpeedReport {
   std::vector<std::string> stations;  ///< names of the supports that hold the rotor; empty: free-free
   std::vector<std::string> left_out;  ///< supports of kinds added by others, unless --stiffness puts springs there

@@ -179,6 +179,7 @@ class Case:
         stiffness       of isotropic springs at all stations instead of the case's linear supports [N/m]
         stiffness_map   stiffnesses of all stations for a critical-speed map [N/m]
 
+        The rotor spins in the sense of the case's initial speed; forward whirl is with its spin, backward against it.
         "critical_speeds" is a list of {speed [rad/s], frequency [Hz], whirl, damping_ratio, separation}; "map" one of {stiffness, speeds}. Supports of your own (`add_support`, modules) take no part; "left_out" names them, if there are such.
         """
         limit = 2 * abs(self._case.initial_speed) if up_to is None else positive_si(up_to, "rad/s", "up_to")

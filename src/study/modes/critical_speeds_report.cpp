@@ -73,6 +73,7 @@ nlohmann::ordered_json critical_speeds_json(const Case& rotor_case, const Critic
   if (options.stiffness) j["stiffness"] = *options.stiffness;
   j["up_to"] = options.up_to;
   j["operating_speed"] = operating;
+  if (rotor_case.parameters.run.initial_speed < 0.) j["spin"] = "negative";
   j["critical_speeds"] = nlohmann::ordered_json::array();
   for (const auto& one : report.speeds) {
     nlohmann::ordered_json entry = {{"speed", one.speed},
@@ -83,9 +84,9 @@ nlohmann::ordered_json critical_speeds_json(const Case& rotor_case, const Critic
     j["critical_speeds"].push_back(std::move(entry));
   }
   j["overdamped_modes"] = report.n_overdamped;
-  j["rigid_body_modes"] = report.n_rigid_body_modes;
   j["diverging_modes"] = report.n_diverging;
   j["divergence_rate"] = report.divergence_rate;
+  j["rigid_body_modes"] = report.n_rigid_body_modes;
   if (!report.map_stiffness.empty()) {
     j["map"] = nlohmann::ordered_json::array();
     for (std::size_t k = 0; k < report.map_stiffness.size(); ++k)
@@ -97,7 +98,8 @@ nlohmann::ordered_json critical_speeds_json(const Case& rotor_case, const Critic
 std::string critical_speeds_text(const Case& rotor_case, const nlohmann::ordered_json& j) {
   const std::string held_by = supports_with_stiffness(rotor_case.parameters);
   const bool is_on_own = j["supports"].get<std::string>().starts_with("the case's");
-  std::string text = fmt::format("Critical speeds up to {:.6g} rpm; supports: {}", j["up_to"].get<double>() * to_rpm,
+  std::string text = fmt::format("Critical speeds up to {:.6g} rpm{}; supports: {}", j["up_to"].get<double>() * to_rpm,
+                                 j.contains("spin") ? " of negative spin" : "",
                                  is_on_own ? "the case's " + held_by : j["supports"].get<std::string>());
   if (j.contains("stiffness")) text += fmt::format(" {:.4g} N/m", j["stiffness"].get<double>());
   for (std::size_t k = 0; k < j["stations"].size(); ++k)
@@ -118,10 +120,10 @@ std::string critical_speeds_text(const Case& rotor_case, const nlohmann::ordered
   if (j["overdamped_modes"].get<int>() > 0)
     text += fmt::format("Overdamped at the highest speed: {} motions, which have no critical speed.\n",
                         j["overdamped_modes"].get<int>());
-  if (j["rigid_body_modes"].get<int>() > 0)
-    text += fmt::format("Rigid-body motions at 0 Hz: {}, which have no critical speed.\n",
   if (const int n = j["diverging_modes"].get<int>(); n > 0)
     text += "At the highest speed: " + diverging_text(n, j["divergence_rate"].get<double>());
+  if (j["rigid_body_modes"].get<int>() > 0)
+    text += fmt::format("Rigid-body motions at 0 Hz: {}, which have no critical speed.\n",
                         j["rigid_body_modes"].get<int>());
   if (j["supports"] == "free-free")
     text += "The case has no linear supports or magnets. --stiffness \"5e7 N/m\" puts springs at its bearings.\n";

@@ -224,11 +224,11 @@ Json report_modes(const RecordedDrop& drop) {
   const auto& p = drop.parameters();
   if (!bends(p)) return nullptr;
   constexpr std::size_t n_shown = 6;
-  const double speed = std::abs(p.run.initial_speed);
+  const double speed = p.run.initial_speed;
   const auto frequencies = rotor_report(p.rotor).free_free_frequencies;
   const double largest = frequencies.empty() ? 0. : frequencies[std::min<std::size_t>(frequencies.size(), 3) - 1];
   Json list = Json::array();
-  const auto found = machine_modes(p, {speed}, 2. * std::max(largest, speed / two_pi));
+  const auto found = machine_modes(p, {speed}, 2. * std::max(largest, std::abs(speed) / two_pi));
   for (const auto& mode : found.front().modes) {
     if (list.size() == n_shown) break;
     // At rest the two planes of one mode.
