@@ -102,8 +102,8 @@ std::string campbell(const CriticalSpeedReport& report, double up_to, double ope
   svg += fmt::format(
       "<text x=\"{:.1f}\" y=\"{:.1f}\" class=\"legend\"><tspan fill=\"#0b62a4\">forward</tspan>  <tspan "
       "fill=\"#c0392b\">backward</tspan>  "
-      "<tspan fill=\"#666666\">planar or mixed</tspan>{}  long dashes: 1x  short dashes: damping above 30 %</text>\n",
-      left, y + 33, shows_operating ? "  <tspan fill=\"#2e8b57\">operating speed</tspan>" : "");
+      "<tspan fill=\"#666666\">planar or mixed</tspan>{}  long dashes: 1x  short: damping above 30 %</text>\n",
+      10., y + 33, shows_operating ? "  <tspan fill=\"#2e8b57\">operating speed</tspan>" : "");
   return svg;
 }
 
