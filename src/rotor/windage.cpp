@@ -131,8 +131,8 @@ Windage windage_of(const RotorGeometry& geometry, const WindageParameters& p) {
   if (p.factor == 0.) return {0., 1., 1.};
   // 60 points in each decade: smooth parts are met to 2e-5, changes of slope to 4e-4; jumps of the pieces become steep rises.
   std::vector<double> speed, torque;
-  for (int k = 0; k <= 300; ++k) {
-    speed.push_back(0.2 * std::pow(10., k / 60.));  // to 2e4 rad/s, the highest initial speed
+  for (int k = 0; k <= 360; ++k) {
+    speed.push_back(0.2 * std::pow(10., k / 60.));  // to 2e5 rad/s, the highest initial speed
     torque.push_back(windage_torque(geometry, p, speed.back()));
   }
   return {std::move(speed), std::move(torque)};

@@ -75,6 +75,23 @@ TEST(Windage, OfAStepHasItsRingAndASleeveCountsByItsOutside) {
   EXPECT_LT(thin, thick);
 }
 
+// ONE CYLINDER of r = 8 mm and L = 0.1 m in air, 0.6 mm from its casing, as Bilgen & Boulos and von Karman have it. Above 31 000 rad/s it is turbulent
+// beyond Re = 1e4; its faces are from 70 000 rad/s on.
+TEST(Windage, TableOfAGeometryReachesTheHighestSpeedAtTheStart) {
+  auto p = gas(1.2, 15e-6);
+  p.gap = 6e-4;
+  const double r = 0.008, L = 0.1;
+  const Windage table = windage_of(cylinders({0., L}, {2. * r}), p);
+  for (const double w : {5e4, 1e5, 2e5}) {
+    const double Re = w * r * 6e-4 / 15e-6, Re_face = w * r * r / 15e-6;
+    const double cylinder =
+        0.5 * 0.065 * std::pow(6e-4 / r, 0.3) * std::pow(Re, -0.2) * pi * 1.2 * w * w * std::pow(r, 4) * L;
+    const double C = Re_face < 3e5 ? 1.935 / std::sqrt(Re_face) : 0.073 / std::pow(Re_face, 0.2);
+    const double torque = cylinder + C * 1.2 * w * w * std::pow(r, 5);
+    EXPECT_NEAR(table(w), torque, 1e-4 * torque) << "N m at " << w;
+  }
+}
+
 TEST(Windage, TableOfAGeometryIsItsTorque) {
   auto p = gas(1.2, 15e-6);
   const auto rotor = cylinders({0., 0.3, 0.5, 0.8}, {0.1, 0.2, 0.08});
