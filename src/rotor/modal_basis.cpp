@@ -52,7 +52,7 @@ ModalBasis computed_modes(const RotorGeometry& geometry, double cut_off_frequenc
   Eigen::Index n_flexible = 0;
   Eigen::MatrixXd flexible(n_dofs, 0);
   Eigen::VectorXd omega(0);
-  if (cut_off_frequency > 0) {
+  if (cut_off_frequency > 0 || !attachment_nodes.empty()) {
     const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> solver(fe.stiffness, fe.mass);
     assert(solver.info() == Eigen::Success);
     // Ascending; the first two are the rigid modes, of which the solver knows only some mixture with roundoff
