@@ -14,7 +14,9 @@ RunEnd::RunEnd(const Machine& machine, EndCondition condition) : condition_(cond
 
 void RunEnd::follow(double t, std::span<const double> step, double spin) {
   const auto touches = [&](const Columns& c) { return is_touched<double>(c.touch, step); };
-  const auto is_at_speed = [&](const Columns& c) { return std::fabs(step[c.spin_lag]) < 0.01; };
+  const auto is_at_speed = [&](const Columns& c) {
+    return std::fabs(spin) > least_spin && std::fabs(step[c.spin_lag]) < 0.01;
+  };
   switch (condition_) {
     case EndCondition::time:
       break;

@@ -7,6 +7,7 @@ and the gas takes Ip (w0^2 - w^2) / 2.
 """
 
 import math
+import shutil
 import signal
 import sys
 import time
@@ -107,6 +108,18 @@ class Ends(ProgramTest):
         self.assertGreaterEqual(late[time < time[-1] - 50e-6].min(), 0.01 * (1 - 1e-9), "at no step before")
         for bearing in summary["bearings"].values():
             self.assertLessEqual(bearing["catch_up_time"], summary["run"]["end_time"])
+
+    def test_rings_of_a_rotor_that_does_not_spin_are_never_at_speed(self):
+        shutil.copy(PARAMS / "neisi2019-settling.toml", self.folder / "settling.toml")
+        shutil.copy(PARAMS / "neisi2019.toml", self.folder)
+        done = self.succeed("run", "settling.toml", "-o", "out", *settings(run__initial_speed=0, run__until="rings at speed", run__end_time="60 ms"))
+        self.assertEqual(done.stdout.count("no spin-up, as the rotor does not spin"), 2, done.stdout)
+        summary = self.summary()
+        self.assertEqual(summary["run"]["end_time"], 0.06, "what catches up is roundoff")
+        for bearing in summary["bearings"].values():
+            self.assertIsNone(bearing["catch_up_time"])
+            self.assertLess(abs(bearing["ring_speed_end"]), 1e-9, "rad/s")
+        self.assertNotIn("skidding", [warning["code"] for warning in summary["warnings"]])
 
     def test_no_contact(self):
         # Without gravity, pushed at 0.1 m/s against alpha = 200 1/s: it could go 500 um, meets the rings after 250 um with half the speed, and stops on the way back.

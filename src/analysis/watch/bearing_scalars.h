@@ -135,8 +135,11 @@ void follow(BearingScalarsOf<Real>& s, const BearingColumns& c, const MaskOf<Rea
   }
   const MaskOf<Real> is_first_flight = (!is_never(s.first_contact_end)) & is_never(s.second_contact_time);
   put(told & is_first_flight & (!(s.highest_in_first_flight >= y)), s.highest_in_first_flight, y);
-  const MaskOf<Real> catches_up = told & is_never(s.catch_up_time) & (lag < 0.01);
-  if (any(catches_up)) put(catches_up, s.catch_up_time, crossing(s.time, s.spin_lag, t, lag, Real(0.01)));
+  // Of a rotor that does not spin the lag is a ratio of roundoff.
+  const MaskOf<Real> catches_up =
+      told & is_never(s.catch_up_time) & (lag < 0.01) & (abs(Real(step[c.ring_speed])) > least_spin);
+  if (any(catches_up))
+    put(catches_up, s.catch_up_time, select(s.spin_lag >= 0.01, crossing(s.time, s.spin_lag, t, lag, Real(0.01)), t));
 
   s.contact_force.follow(told, t, step[c.contact_force]);
   s.friction_heat_rate.follow(told, t, step[c.rub_heat_rate]);

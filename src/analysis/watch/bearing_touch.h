@@ -10,6 +10,9 @@
 
 namespace rotordrop {
 
+/// Rotors and rings below it do not spin but by roundoff [rad/s]: bores of 0.1 m move by 5 um/s.
+inline constexpr double least_spin = 1e-4;
+
 /// Where a bearing's touch stands among a machine's step observables.
 struct TouchColumns {
   std::size_t penetration;

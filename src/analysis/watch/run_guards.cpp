@@ -279,7 +279,7 @@ std::vector<RunWarning> warnings_at_end(const EndedRun& run) {
     const auto* touchdown = dynamic_cast<const TouchdownBearing*>(&run.machine.support(run.scalars.support(i)));
     const bool is_rolling = !touchdown || !touchdown->data().free_cage;  // of a free cage the slip is computed
     if (const double all = skid.demand.speed_change, beyond = skid.demand.speed_change_beyond;
-        is_rolling && is_skidding_relevant(beyond, all, run.parameters.run.initial_speed))
+        is_rolling && beyond > least_spin && is_skidding_relevant(beyond, all, run.parameters.run.initial_speed))
       warn("skidding", name, skid.row ? fmt::format("row {}", *skid.row + 1) : "", beyond / all, relevant_speed_share,
            skid.demand.largest_time, skid.demand.time_beyond);
     if (s.gyroscopic.largest > 1.)

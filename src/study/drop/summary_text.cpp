@@ -74,7 +74,14 @@ std::string all_rises_text(const BearingSummary& b, double ambient) {
   return text;
 }
 
-std::string bearing_text(const BearingSummary& b, double ambient) {
+/// "13.3 ms"; of a rotor that does not spin there is none to speak of.
+std::string spin_up_text(const BearingScalars& s, double rotor_speed_end) {
+  if (std::isnan(s.catch_up_time) && std::fabs(rotor_speed_end) < least_spin)
+    return "no spin-up, as the rotor does not spin";
+  return "spin-up complete: " + ms(s.catch_up_time);
+}
+
+std::string bearing_text(const BearingSummary& b, double ambient, double rotor_speed_end) {
   const BearingScalars& s = b.scalars;
   const std::size_t indent = b.name.size() + 2;
   std::string text = fmt::format("{}: first contact {}, peak contact force {}{}, rub heat {} (peak {})\n", b.name,
@@ -83,8 +90,9 @@ std::string bearing_text(const BearingSummary& b, double ambient) {
                                             : ms(s.first_contact_time),
                                  b.shoulder ? "in the bore " : "", in_kilonewtons({s.contact_force.value}),
                                  in_joules(b.friction_heat, 1), in_kilowatts(s.friction_heat_rate.value));
-  text += fmt::format("{:{}}ring speed {:.0f} rpm at the end, spin-up complete: {}; mean temperature rise {}\n", "",
-                      indent, s.ring_speed_end * to_rpm, ms(s.catch_up_time), all_rises_text(b, ambient));
+  text += fmt::format("{:{}}ring speed {:.0f} rpm at the end, {}; mean temperature rise {}\n", "", indent,
+                      std::round(s.ring_speed_end * to_rpm) + 0., spin_up_text(s, rotor_speed_end),
+                      all_rises_text(b, ambient));
   if (b.local) text += local_text(b.name, *b.local, std::isfinite(b.scalars.first_shoulder_contact_time));
   if (b.damage) text += damage_text(*b.damage, indent);
   if (b.is_free)
@@ -133,7 +141,7 @@ std::string energy_text(const DropSummary& s) {
 
 std::string summary_text(const DropSummary& s) {
   std::string text;
-  for (const auto& b : s.bearings) text += bearing_text(b, s.ambient);
+  for (const auto& b : s.bearings) text += bearing_text(b, s.ambient, s.rotor_speed_end);
   text += probe_text(s.probes) + reduction_text(s);
   if (!s.until.empty())
     text += s.ended_by == s.until ? fmt::format("Ended by run.until = \"{}\" at t = {:.6g} s, at {:.4g} rpm\n", s.until,
