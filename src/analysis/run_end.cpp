@@ -21,7 +21,9 @@ void RunEnd::follow(double t, std::span<const double> step, double spin) {
     case EndCondition::time:
       break;
     case EndCondition::standstill:
-      is_reached_ = std::fabs(spin) < standstill_speed;
+      // A step may take the rotor from one direction of spin to the other.
+      is_reached_ = std::fabs(spin) < standstill_speed || spin * last_spin_ < 0.;
+      last_spin_ = spin;
       break;
     case EndCondition::no_contact:
       if (std::any_of(touchdown_.begin(), touchdown_.end(), touches)) last_contact_ = t;
@@ -34,9 +36,10 @@ void RunEnd::follow(double t, std::span<const double> step, double spin) {
 }
 
 void RunEnd::unpack(std::span<const double> values) {
-  if (values.size() != 2) throw std::invalid_argument("an end condition of another kind");
+  if (values.size() != 3) throw std::invalid_argument("an end condition of another kind");
   last_contact_ = values[0];
   is_reached_ = values[1] != 0.;
+  last_spin_ = values[2];
 }
 
 }  // namespace rotordrop

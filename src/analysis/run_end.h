@@ -20,7 +20,7 @@ class RunEnd {
   /// Whether the condition held at the last step.
   [[nodiscard]] bool is_reached() const { return is_reached_; }
   /// For checkpoints.
-  [[nodiscard]] std::vector<double> packed() const { return {last_contact_, is_reached_ ? 1. : 0.}; }
+  [[nodiscard]] std::vector<double> packed() const { return {last_contact_, is_reached_ ? 1. : 0., last_spin_}; }
   void unpack(std::span<const double> values);
 
  private:
@@ -32,6 +32,7 @@ class RunEnd {
   std::vector<Columns> touchdown_;
   double last_contact_ = std::numeric_limits<double>::infinity();  // [s]; infinite before the first contact
   bool is_reached_ = false;
+  double last_spin_ = 0;  // at the last step [rad/s]
 };
 
 }  // namespace rotordrop

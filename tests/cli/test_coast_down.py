@@ -78,6 +78,12 @@ class WindageAlone(ProgramTest):
 
     def test_an_end_that_does_not_come_is_told(self):
         self.write("spin.toml", LINEAR.format(exponent=2))
+        # So strong a brake takes the rotor through standstill within a step of 50 us, by 25 rad/s.
+        summary = self.run_case("spin.toml", output="stopped", run__until="standstill", rotor__windage__factor=0, rotor__torque="-2e5 N m", output__interval="1 ms")
+        self.assertEqual(summary["run"]["ended_by"], "standstill")
+        stop = 1000 * IP / 2e5
+        self.assertGreaterEqual(summary["run"]["end_time"], stop - 1e-9)
+        self.assertLess(summary["run"]["end_time"], stop + 51e-6)
         done = self.succeed("run", "spin.toml", "-o", "out", *settings(run__until="standstill", run__end_time="0.1 s"))
         self.assertIn('run.until = "standstill" was not met', done.stdout)
         self.assertEqual(self.summary()["run"]["ended_by"], "end_time")
