@@ -73,6 +73,28 @@ class Release(ProgramTest):
             numpy.testing.assert_allclose(forces[2], [200, -30], atol=1e-9)
             numpy.testing.assert_allclose(forces.sum(axis=0), [MASS * G, 0], atol=1e-3 * MASS * G)
 
+    def test_magnets_and_linear_supports_hold_a_rotor_at_rest_together(self):
+        # In balance: the springs at nodes 16 and 31 give -K x where the bent rotor is, all forces balance the weight, and all moments its moment.
+        more = 'release_time = ["1 s", "1 s"]'
+        springs = {"L": (16, [[5e7, 1e7], [-4e6, 3e7]]), "E": (31, [[8e6, 0.0], [0.0, 1e6]])}
+        text = "[rotor]\nunbalance = []\n[rotor.probes]\n" + "".join(f'{name} = {{ node = {node}, clearance = "1 mm" }}\n' for name, (node, _) in springs.items())
+        text += magnet("M1", 7, more) + magnet("M2", 25, more) + magnet("M3", 12, 'holding_force = ["200 N", "-30 N"]\n' + more)
+        text += "".join(f'[bearings.{name}]\ntype = "linear"\nnode = {node}\nstiffness = {K}\n' for name, (node, K) in springs.items())
+        _, file = self.drop(text, run__gravity="[0, -9.81, 3]", run__initial_speed="3000 rpm")
+        nodes = [node["x"] for node in json.loads((self.folder / "neisi2019-rotor.json").read_text())["nodes"]]
+        with file:
+            force, moment = numpy.zeros(2), numpy.zeros(2)
+            for name, (node, K) in springs.items():
+                x, f = file[f"probes/{name}/position"][:], file[f"bearings/{name}/support_force"][:]
+                self.assertLess(numpy.abs(x - x[0]).max(), 1e-11, "m: it rests")
+                numpy.testing.assert_allclose(f[0], -numpy.array(K) @ x[0], atol=1e-6)
+                self.assertGreater(numpy.abs(f[0]).max(), 0.5, "N: it is bent")
+                force, moment = force + f[0], moment + (nodes[node - 1] - CENTRE_OF_GRAVITY) * f[0]
+            for name, node in (("M1", 7), ("M2", 25), ("M3", 12)):
+                f = file[f"bearings/{name}/magnet_force"][:, 1:]
+                force, moment = force + f[0], moment + (nodes[node - 1] - CENTRE_OF_GRAVITY) * f[0]
+            numpy.testing.assert_allclose(force, [MASS * G, -MASS * 3], atol=1e-3 * MASS * G)
+            numpy.testing.assert_allclose(moment, 0, atol=1e-3 * MASS * G * 0.1)
 
     def test_one_axis_may_go_first(self):
         more = 'release_time = ["0 ms", "4 ms"]'

@@ -35,7 +35,7 @@ Section<MagnetParameters> magnet_section() {
       {.unit = "N",
        .help = "F_0 along y, z, with the rotor at rest in the middle of the touchdown bearings. A disturbance of "
                "the start (rotor.initial_offset and the like) adds -K x - C v. If not given, the magnets share "
-               "the rotor's weight by its centre of gravity."});
+               "what linear supports leave of the rotor's weight by its centre of gravity."});
   s.quantity("axial_stiffness", &P::axial_stiffness,
              {.unit = "N/m",
               .range = at_least(0),
