@@ -87,8 +87,13 @@ class LaneRun {
   using Lanes = std::array<Lane, width>;
   [[nodiscard]] static LaneIntegrator::Lane start_of(const Drop& drop) {
     const DropLoop& loop = drop.loop();
-    return {loop.integration(),       loop.time(),  loop.end_time(),
-            &loop.machine().layout(), loop.state(), loop.found().wants_details ? loop.machine().n_details() : 0};
+    return {.parameters = loop.integration(),
+            .start_time = loop.time(),
+            .end_time = loop.end_time(),
+            .layout = &loop.machine().layout(),
+            .state = loop.state(),
+            .n_details = loop.found().wants_details ? loop.machine().n_details() : 0,
+            .instants = loop.instants()};
   }
 
   /// A lane that is not free; the end of lanes_ if all are.

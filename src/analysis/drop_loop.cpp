@@ -72,6 +72,7 @@ DropLoop::DropLoop(const Machine& machine, const IntegrationParameters& integrat
       integration_(integration),
       end_(machine, run.until),
       end_time_(run.latest_end()),
+      instants_(machine.instants(), end_time_),
       system_(machine, growth_in_force),
       followers_(machine),
       state_(machine.layout().size()),
@@ -91,7 +92,7 @@ bool DropLoop::run(const std::function<bool()>& is_stopped) {
   integrator_ = make_integrator(system_, integration_, time_, std::span(state_).first(n_integrated), end_time_);
   has_end_rates_ = integrator_->evaluate_ends_with([this](double t, std::span<const double> y, std::span<double> dydt) {
     ask(is_to_be_observed(t));
-    machine_.evaluate(t, y, dydt, found_);
+    machine_.evaluate(instants_.before(t), y, dydt, found_);
   });
   show_start();
   while (!is_at_end()) {
@@ -149,11 +150,12 @@ DropLoop::EndedStep DropLoop::ended_step() {
   step.found = &found_;
   step.is_observed = is_to_be_observed(step.time);
   if (!has_end_rates_ && (step.is_observed || integrator_->uses_offered_rates() || !followers_.empty()))
-    evaluate_end(step.time, step.after, step.is_observed);
+    evaluate_end(instants_.before(step.time), step.after, step.is_observed);
   if (step.is_observed) {
     end_.follow(step.time, found_.step, machine_.spin(step.after).speed);
     observed_time_ = step.time;
   }
+  step.is_cut = instants_.contains(step.time);
   step.is_last = step.time >= end_time_ || end_.is_reached();
   return step;
 }

@@ -8,6 +8,7 @@
 #include "integrate/integrator.h"
 #include "machine/heat/followers.h"
 #include "machine/machine.h"
+#include "model/instants.h"
 #include "model/observer.h"
 
 namespace rotordrop {
@@ -48,6 +49,8 @@ class DropLoop {
   [[nodiscard]] const IntegrationParameters& integration() const { return integration_; }
   [[nodiscard]] const Machine& machine() const { return machine_; }
   [[nodiscard]] double end_time() const { return end_time_; }  ///< the latest [s]
+  /// At which steps end.
+  [[nodiscard]] const Instants& instants() const { return instants_; }
   [[nodiscard]] std::span<const double> state() const;
   [[nodiscard]] bool is_at_end() const { return time_ >= end_time_ || end_.is_reached(); }
   [[nodiscard]] bool condition_is_met() const { return end_.is_reached(); }
@@ -75,6 +78,7 @@ class DropLoop {
   IntegrationParameters integration_;
   RunEnd end_;
   double end_time_, time_ = 0, observed_time_ = 0;
+  Instants instants_;
   double last_start_ = 0;  ///< of the step that was shown last
   double mean_step_ = 1.;  ///< of the last ones [s]
   MachineSystem system_;

@@ -13,6 +13,7 @@
 #include "integrate/integrator.h"
 #include "integrate/methods.h"
 #include "integrate/pairs.h"
+#include "model/instants.h"
 
 namespace rotordrop {
 namespace {
@@ -103,7 +104,7 @@ class EmbeddedPair final : public Integrator {
         tolerance_(parameters.tolerance),
         longest_(step_or_bound(parameters)),
         time_(start_time),
-        end_time_(end_time),
+        instants_(system.instants(), end_time),
         control_(method, tolerance_, longest_),
         y_(state.begin(), state.end()),
         before_(y_),
@@ -119,6 +120,7 @@ class EmbeddedPair final : public Integrator {
   [[nodiscard]] std::span<const double> state() const override { return y_; }
 
   void advance() override {
+    if (is_cut_) begin_anew();
     if (!has_rates_) {
       evaluate(time_, y_, at_start());
       if (!all_finite(at_start())) throw_rates_not_finite(system_.layout(), at_start(), time_, next_step_);
@@ -131,7 +133,7 @@ class EmbeddedPair final : public Integrator {
     double step = next_step_;
     bool was_rejected = false;
     for (;;) {
-      const Trial trial = control_.trial(step, time_, end_time_);
+      const Trial trial = control_.trial(step, time_, instants_.next(time_));
       step = trial.size;
       const double size = try_step(step, trial.target);
       if (size <= 1.) {
@@ -169,6 +171,11 @@ class EmbeddedPair final : public Integrator {
  private:
   [[nodiscard]] AlignedNumbers& at_start() { return at(k_, method_.start); }
   [[nodiscard]] bool is_observed() const { return static_cast<bool>(end_evaluation_); }
+  /// After an instant of the system, whose rates before it say nothing of those after it; its error control does of the step.
+  void begin_anew() {
+    is_cut_ = has_rates_ = false;
+    last_step_ = 0.;
+  }
   void evaluate(double t, std::span<const double> y, std::span<double> rates) {
     ++statistics_.rhs_evaluations;
     system_.rhs(t, y, rates);
@@ -193,6 +200,7 @@ class EmbeddedPair final : public Integrator {
     std::copy(y_.begin() + static_cast<std::ptrdiff_t>(n_controlled_), y_.end(),
               stage_.begin() + static_cast<std::ptrdiff_t>(n_controlled_));
     const int last = method_.n_stages - 1;
+    const double latest = instants_.latest(target);
     if (!exponentials_.empty()) {
       exponentials_.begin(step, last_step_, {y_, at_start(), before_, k_.front()});
       exponentials_.hide(own_scale_);
@@ -200,7 +208,7 @@ class EmbeddedPair final : public Integrator {
     for (int i = method_.start + 1; i < last; ++i) {
       wide<combine<1>>(0, n_controlled_, y_.data(), scaled(at(method_.a, i)), k.data(), i, stage_.data());
       exponentials_.place(i, stage_);
-      evaluate(time_ + at(method_.c, i) * step, stage_, at(k_, i));
+      evaluate(std::min(time_ + at(method_.c, i) * step, latest), stage_, at(k_, i));
       exponentials_.take(i, at(k_, i));
     }
     wide<combine<1>>(0, n_, y_.data(), scaled(at(method_.a, last)), k.data(), last, stage_.data());
@@ -209,7 +217,7 @@ class EmbeddedPair final : public Integrator {
       ++statistics_.rhs_evaluations;
       end_evaluation_(target, stage_, at(k_, last));
     } else {
-      evaluate(target, stage_, at(k_, last));
+      evaluate(std::min(target, latest), stage_, at(k_, last));
     }
     exponentials_.take(last, at(k_, last));
     // A rate that is not finite makes the new state so.
@@ -226,9 +234,9 @@ class EmbeddedPair final : public Integrator {
     time_ = trial.target;
     last_step_ = trial.size;
     ++statistics_.steps;
-    const double factor = control_.after_acceptance(size, was_rejected);
-    // A last step cut to the end says nothing of the next one; there is none.
-    if (!trial.ends) next_step_ = std::min(trial.size * factor, longest_);
+    is_cut_ = trial.ends;
+    // A step that was cut says nothing of the next one.
+    if (!is_cut_) next_step_ = std::min(trial.size * control_.after_acceptance(size, was_rejected), longest_);
   }
 
   [[noreturn]] void fail(double step) {
@@ -252,10 +260,11 @@ class EmbeddedPair final : public Integrator {
   EmbeddedTableau method_;
   const OdeSystem& system_;
   std::size_t n_, n_controlled_;
-  double tolerance_, longest_, time_, end_time_;
+  double tolerance_, longest_, time_;
+  Instants instants_;
   StepControl control_;
   double next_step_ = 0, last_step_ = 0;
-  bool has_rates_ = false;
+  bool has_rates_ = false, is_cut_ = false;
   AlignedNumbers y_, before_, stage_, scale_;
   AlignedNumbers own_scale_;  ///< infinite where exponentials are at work
   ExponentialStages exponentials_;

@@ -28,14 +28,15 @@ class Integrator {
   [[nodiscard]] virtual double time() const = 0;
   /// State at time().
   [[nodiscard]] virtual std::span<const double> state() const = 0;
-  /// One step, not beyond the end time given at construction. @throws SolverError naming the worst components
+  /// One step, not beyond the end time given at construction, nor beyond an instant of the system: after that it begins anew. @throws SolverError naming the worst components
   virtual void advance() = 0;
   /// Tells the rates at time(), state() that the caller has evaluated anyway, so that the next step need not: after a change of the system the only ones
   /// that are right.
   virtual void offer_rates(std::span<const double> rates) = 0;
   /// Whether it makes use of them: then looking at the rates after every step costs nothing.
   [[nodiscard]] virtual bool uses_offered_rates() const = 0;
-  /// Evaluation of a system at the end of a step, with whatever else the caller wants to know of it; the rates are the system's.
+  /// Evaluation of a system at the end t of a step, with whatever else the caller wants to know of it; the rates are the system's, at one of its instants
+  /// those just before it (Instants::before()).
   using EndEvaluation = std::function<void(double t, std::span<const double> y, std::span<double> dydt)>;
   /// Has the method evaluate ends of steps so, those that it rejects among them: then looking at every accepted step costs nothing.
   /// @returns whether it can; else nothing changes

@@ -151,10 +151,11 @@ void LaneIntegrator::begin(std::size_t l, const Lane& drop) {
   if (details_.size() < drop.n_details * width) details_.resize(drop.n_details * width);
   time_[l] = drop.start_time;
   end_time_[l] = drop.end_time;
+  instants_[l] = drop.instants.empty() ? Instants({}, drop.end_time) : drop.instants;
   tolerance_[l] = drop.parameters.tolerance;
   longest_[l] = step_or_bound(drop.parameters);
   control_[l] = StepControl(shape_, tolerance_[l], longest_[l]);
-  last_step_[l] = stepped_[l] = 0.;
+  last_step_[l] = next_step_[l] = stepped_[l] = 0.;
   within_time_[l] = std::numeric_limits<double>::quiet_NaN();  // what lies in within_ is of the drop before
   was_rejected_[l] = false;
   statistics_[l] = {};
@@ -163,15 +164,16 @@ void LaneIntegrator::begin(std::size_t l, const Lane& drop) {
   runs_[l] = true;
 }
 
-/// First rates and steps of drops that were begun; lanes amid theirs keep what they have.
+/// First rates and steps of drops that were begun, or rates after an instant; lanes amid theirs keep what they have.
 void LaneIntegrator::start_begun() {
   if (std::all_of(begun_.begin(), begun_.end(), [](double flag) { return flag == 0.; })) return;
   system_->rates(time_, y_, k_.back());
   wide<take>(n_, begun_.data(), k_.back().data(), at_start().data());
   for (std::size_t l = 0; l < width; ++l) {
     if (begun_[l] == 0.) continue;
-    begun_[l] = 0.;
+    begun_[l] = last_step_[l] = 0.;
     ++statistics_[l].rhs_evaluations;
+    if (next_step_[l] != 0.) continue;
     std::vector<double> scale(n_controlled_);
     column(scale_, l, scale);
     next_step_[l] = control_[l].first(
@@ -220,7 +222,8 @@ void LaneIntegrator::advance() {
   }
   start_begun();
   for (std::size_t l = 0; l < width; ++l) {
-    const Trial trial = runs_[l] ? control_[l].trial(next_step_[l], time_[l], end_time_[l]) : Trial{0., time_[l]};
+    const Trial trial =
+        runs_[l] ? control_[l].trial(next_step_[l], time_[l], instants_[l].next(time_[l])) : Trial{0., time_[l]};
     tried_[l] = trial.size;
     target_[l] = trial.target;
     ends_[l] = trial.ends;
@@ -228,17 +231,21 @@ void LaneIntegrator::advance() {
     statistics_[l].rhs_evaluations += shape_.n_stages - 1 - shape_.start;
     fit_to_step(methods_[l], trial.size, last_step_[l]);
   }
+  PerLane latest;
+  for (std::size_t l = 0; l < width; ++l) latest[l] = instants_[l].latest(target_[l]);
   // Nothing depends on quadratures: the stages before the last leave them as they are.
   const int last = shape_.n_stages - 1;
   for (int i = shape_.start + 1; i < last; ++i) {
     const auto at = static_cast<std::size_t>(i);
     combine(n_controlled_, i);
     PerLane t;
-    for (std::size_t l = 0; l < width; ++l) t[l] = time_[l] + shape_.c[at] * tried_[l];
+    for (std::size_t l = 0; l < width; ++l) t[l] = std::min(time_[l] + shape_.c[at] * tried_[l], latest[l]);
     system_->rates(t, stage_, k_[at]);
   }
   combine(n_, last);
-  system_->observe(target_, stage_, k_.back(), step_, details_);
+  PerLane end;
+  for (std::size_t l = 0; l < width; ++l) end[l] = std::min(target_[l], latest[l]);
+  system_->observe(end, stage_, k_.back(), step_, details_);
   const PerLane sizes = error_sizes();
   for (std::size_t l = 0; l < width; ++l) finish(l, sizes[l]);
   if (have_all_stepped()) {
@@ -260,12 +267,13 @@ void LaneIntegrator::finish(std::size_t l, double size) {
     time_[l] = target_[l];
     last_step_[l] = tried_[l];
     ++statistics_[l].steps;
-    const double factor = control_[l].after_acceptance(size, was_rejected_[l]);
-    was_rejected_[l] = false;
-    if (ends_[l])
+    if (time_[l] >= end_time_[l])
       runs_[l] = false;
+    else if (ends_[l])
+      begun_[l] = 1.;
     else
-      next_step_[l] = std::min(tried_[l] * factor, longest_[l]);
+      next_step_[l] = std::min(tried_[l] * control_[l].after_acceptance(size, was_rejected_[l]), longest_[l]);
+    was_rejected_[l] = false;
     return;
   }
   was_rejected_[l] = true;

@@ -9,6 +9,7 @@
 #include "base/aligned_numbers.h"
 #include "integrate/integrator.h"
 #include "integrate/pairs.h"
+#include "model/instants.h"
 #include "model/lane_system.h"
 
 namespace rotordrop {
@@ -27,6 +28,7 @@ class LaneIntegrator {
     const StateLayout* layout = nullptr;  ///< as long as that of the system
     std::span<const double> state;        ///< [layout->size()]
     std::size_t n_details = 0;            ///< that are observed at the end of every step
+    Instants instants = {};               ///< at which steps end, and begin anew
   };
   /// All lanes are free, and stand where a drop starts.
   /// @param n_step  of what is observed at the end of every step
@@ -91,8 +93,10 @@ class LaneIntegrator {
   std::array<EmbeddedTableau, width> methods_;  // each with the ratio of its own steps
   std::size_t n_, n_controlled_;
   AlignedNumbers scale_;  // [n_controlled][width]
+  std::array<Instants, width> instants_;
   PerLane time_{}, end_time_{}, longest_{}, tolerance_{}, next_step_{}, tried_{}, target_{}, last_step_{};
-  PerLane stepped_{}, begun_{};  // 1 or 0: the last step was taken; the first one is still to come
+  PerLane stepped_{};  // 1 or 0: the last step was taken
+  PerLane begun_{};    // 1 or 0: the first step, or the first after an instant, is still to come
   std::array<bool, width> runs_{}, was_rejected_{}, ends_{};
   std::vector<StepControl> control_;
   AlignedNumbers y_, before_, stage_, step_, details_;  // [n][width]

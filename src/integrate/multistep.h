@@ -20,6 +20,7 @@ inline constexpr SundialsLibrary cvodes_library = {.one_step = CV_ONE_STEP,
                                                    .set_max_n_steps = CVodeSetMaxNumSteps,
                                                    .set_max_warnings = CVodeSetMaxHnilWarns,
                                                    .set_stop_time = CVodeSetStopTime,
+                                                   .restart = CVodeReInit,
                                                    .set_max_step = CVodeSetMaxStep,
                                                    .set_min_step = CVodeSetMinStep,
                                                    .free = CVodeFree};

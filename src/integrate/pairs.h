@@ -86,7 +86,7 @@ inline constexpr std::array own_pairs{OwnPair{IntegrationMethod::tsitouras, &tsi
 /// A step to be tried.
 struct Trial {
   double size, target;  // [s]
-  bool ends = false;    // at the end of the integration
+  bool ends = false;    // where steps have to end
 };
 
 /// Chooses steps by the errors that they made, of one drop.
@@ -110,10 +110,10 @@ class StepControl {
     const double step = state_norm > 1e-10 && rate_norm > 1e-10 ? 0.01 * std::sqrt(state_norm / rate_norm) : 1e-6;
     return std::clamp(step * std::pow(tolerance_ / 1e-6, 1. / order_), 1e-3 * longest_, longest_);
   }
-  /// A step of about a size from a time, to the end if that is nearly reached.
-  [[nodiscard]] Trial trial(double size, double time, double end_time) const {
+  /// A step of about a size from a time, to where steps have to end if that is nearly reached.
+  [[nodiscard]] Trial trial(double size, double time, double end) const {
     const double step = std::min(size, longest_);
-    if (time + step * (1. + 1e-6) >= end_time) return {end_time - time, end_time, true};
+    if (time + step * (1. + 1e-6) >= end) return {end - time, end, true};
     return {step, time + step};
   }
   /// What a step is to be multiplied by that was rejected.

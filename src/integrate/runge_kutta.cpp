@@ -19,6 +19,10 @@ ARKodeButcherTable classical_order_4() {
   return ARKodeButcherTable_Create(4, 4, 0, c.data(), A.data(), b.data(), nullptr);
 }
 
+int restart_arkode(void* memory, realtype t, N_Vector y) {
+  return ARKStepReInit(memory, SundialsProblem::right_hand_side, nullptr, t, y);
+}
+
 constexpr SundialsLibrary arkode_library = {.one_step = ARK_ONE_STEP,
                                             .evolve = ARKStepEvolve,
                                             .get_derivative = ARKStepGetDky,
@@ -33,6 +37,7 @@ constexpr SundialsLibrary arkode_library = {.one_step = ARK_ONE_STEP,
                                             .set_max_n_steps = ARKStepSetMaxNumSteps,
                                             .set_max_warnings = ARKStepSetMaxHnilWarns,
                                             .set_stop_time = ARKStepSetStopTime,
+                                            .restart = restart_arkode,
                                             .set_max_step = ARKStepSetMaxStep,
                                             .set_min_step = ARKStepSetMinStep,
                                             .free = ARKStepFree};
@@ -80,14 +85,14 @@ class FixedStep final : public RungeKutta {
     ARKodeButcherTable table = classical_order_4();
     check(ARKStepSetTables(memory_, 4, 0, nullptr, table));
     ARKodeButcherTable_Free(table);
-    // A whole number of steps, so that the last one is not a sliver; counted from zero, so that a resumed run takes the same ones.
-    const double n_steps = std::ceil(end_time / step_or_bound(parameters) * (1. - 1e-9));
-    check(ARKStepSetFixedStep(memory_, end_time / n_steps));
+    step_ = step_or_bound(parameters);
+    fix_step();
     has_error_control_ = false;
     require_good();
   }
 
   void advance() override {
+    if (time_ >= piece_end_) begin_piece();
     const double start = time_;
     std::ranges::copy(state(), before_.begin());
     if (!has_rates_) problem_.offer_rates(time_, state(), rates());
@@ -96,8 +101,9 @@ class FixedStep final : public RungeKutta {
     SundialsIntegrator::advance();
     problem_.check_finite(time_);
     // Rounding leaves the last step short of the end by far less than a step.
-    if (end_time_ - time_ < 1e-3 * (time_ - start)) time_ = end_time_;
+    if (piece_end_ - time_ < 1e-3 * (time_ - start)) time_ = piece_end_;
     last_step_ = time_ - start;
+    is_at_end_of_step_ = true;
   }
 
   void offer_rates(std::span<const double> rates) override {
@@ -118,16 +124,28 @@ class FixedStep final : public RungeKutta {
   }
 
  private:
+  /// A whole number of steps up to where they have to end, so that the last one is not a sliver; counted from zero or from the instant before, so that a
+  /// resumed run takes the same ones.
+  void fix_step() {
+    const double length = piece_end_ - instants_.last(time_);
+    check(ARKStepSetFixedStep(memory_, length / std::ceil(length / step_ * (1. - 1e-9))));
+  }
+  void begin_piece() override {
+    has_rates_ = is_at_end_of_step_ = false;
+    RungeKutta::begin_piece();
+    fix_step();
+  }
   /// At time(), evaluated unless somebody has offered them.
   const std::vector<double>& rates() const {
-    if (!has_rates_) system_.rhs(time_, state(), rates_);
+    if (!has_rates_) system_.rhs(is_at_end_of_step_ ? instants_.before(time_) : time_, state(), rates_);
     has_rates_ = true;
     return rates_;
   }
 
   const OdeSystem& system_;
   std::vector<double> before_, rates_before_;  ///< at the last step's start
-  double last_step_ = 0;                       // [s]
+  double step_ = 0, last_step_ = 0;            // as asked for, the last one [s]
+  bool is_at_end_of_step_ = false;
   mutable std::vector<double> rates_;
   mutable bool has_rates_ = false;
 };

@@ -8,6 +8,7 @@
 #include "base/errors.h"
 #include "integrate/integrator.h"
 #include "integrate/sundials_problem.h"
+#include "model/instants.h"
 
 namespace rotordrop {
 
@@ -27,6 +28,7 @@ struct SundialsLibrary {
   int (*set_max_n_steps)(void*, long int);
   int (*set_max_warnings)(void*, int);
   int (*set_stop_time)(void*, realtype);
+  int (*restart)(void*, realtype, N_Vector);
   int (*set_max_step)(void*, realtype);
   int (*set_min_step)(void*, realtype);
   void (*free)(void**);
@@ -43,6 +45,7 @@ class SundialsIntegrator : public Integrator {
   [[nodiscard]] std::span<const double> state() const override { return problem_.values(); }
 
   void advance() override {
+    if (time_ >= piece_end_) begin_piece();
     const int code = library_.evolve(memory_, end_time_, problem_.state(), &time_, library_.one_step);
     reached_ = time_;
     if (code >= 0) return;
@@ -64,6 +67,8 @@ class SundialsIntegrator : public Integrator {
     IntegrationStatistics s;
     library_.get_n_steps(memory_, &s.steps);
     library_.get_n_rejected(memory_, &s.rejected_steps);
+    s.steps += earlier_.steps;
+    s.rejected_steps += earlier_.rejected_steps;
     s.rhs_evaluations = problem_.rhs_evaluations();
     return s;
   }
@@ -74,6 +79,8 @@ class SundialsIntegrator : public Integrator {
       : problem_(system, state, tolerance),
         time_(start_time),
         end_time_(end_time),
+        instants_(system.instants(), end_time),
+        piece_end_(instants_.next(start_time)),
         library_(library),
         tolerance_(tolerance) {}
 
@@ -86,7 +93,22 @@ class SundialsIntegrator : public Integrator {
     check(library_.set_tolerances(memory_, tolerance_, problem_.absolute_tolerance()));
     check(library_.set_max_n_steps(memory_, -1));
     check(library_.set_max_warnings(memory_, -1));
-    check(library_.set_stop_time(memory_, end_time_));
+    check(library_.set_stop_time(memory_, piece_end_));
+    problem_.begin_anew(instants_.latest(piece_end_));
+  }
+  /// After an instant of the system the method begins anew, up to the next one.
+  virtual void begin_piece() {
+    earlier_ = statistics();
+    piece_end_ = instants_.next(time_);
+    problem_.begin_anew(instants_.latest(piece_end_));
+    check(library_.restart(memory_, time_, problem_.state()));
+    check(library_.set_stop_time(memory_, piece_end_));
+    IntegrationStatistics kept;  // in which the library goes on counting
+    library_.get_n_steps(memory_, &kept.steps);
+    library_.get_n_rejected(memory_, &kept.rejected_steps);
+    earlier_.steps -= kept.steps;
+    earlier_.rejected_steps -= kept.rejected_steps;
+    require_good("the integrator, after an instant,");
   }
   /// Longest step [s]; the shortest follows from it.
   void bound_steps(double longest, double shortest_part) {
@@ -106,6 +128,8 @@ class SundialsIntegrator : public Integrator {
   SundialsProblem problem_;
   void* memory_ = nullptr;
   double time_, end_time_;
+  Instants instants_;
+  double piece_end_;  ///< where steps have to end [s]
   bool has_error_control_ = true;
 
  private:
@@ -113,6 +137,7 @@ class SundialsIntegrator : public Integrator {
   double tolerance_;
   double reached_ = -std::numeric_limits<double>::infinity();  // time of the library's last step [s]
   bool is_good_ = true;
+  IntegrationStatistics earlier_;  // steps before the last restart
 };
 
 }  // namespace rotordrop

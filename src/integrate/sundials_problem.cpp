@@ -33,7 +33,7 @@ int SundialsProblem::right_hand_side(realtype t, N_Vector y, N_Vector dydt, void
     return 0;
   }
   try {
-    problem.system_.rhs(t, state, rates);
+    problem.system_.rhs(std::min(t, problem.latest_), state, rates);
   } catch (...) {
     problem.exception_ = std::current_exception();
     return -1;
@@ -51,6 +51,11 @@ void SundialsProblem::offer_rates(double t, std::span<const double> y, std::span
   offered_state_.assign(y.begin(), y.end());
   offered_rates_.assign(rates.begin(), rates.end());
   is_offered_ = all_finite(rates);
+}
+
+void SundialsProblem::begin_anew(double latest) {
+  is_offered_ = false;
+  latest_ = latest;
 }
 
 void SundialsProblem::take_message(int code, const char*, const char*, char* message, void* self) {

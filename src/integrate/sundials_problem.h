@@ -3,6 +3,7 @@
 #include <nvector/nvector_serial.h>
 
 #include <exception>
+#include <limits>
 #include <memory>
 #include <span>
 #include <string>
@@ -24,6 +25,8 @@ class SundialsProblem {
   static int right_hand_side(realtype t, N_Vector y, N_Vector dydt, void* self);
   /// Tells the rates at a state that the caller has evaluated anyway; if the method asks for just these next, they are not computed again.
   void offer_rates(double t, std::span<const double> y, std::span<const double> rates);
+  /// No such rates are known any more; rates are evaluated up to a time only, whatever rounding does (Instants::latest()).
+  void begin_anew(double latest);
   /// Takes SUNDIALS' own messages, so that they do not reach the screen. `self` is the problem.
   static void take_message(int code, const char* module, const char* function, char* message, void* self);
 
@@ -55,6 +58,7 @@ class SundialsProblem {
   std::string message_;
   std::vector<double> bad_rates_;  // the last rates that were not finite
   long rhs_evaluations_ = 0;
+  double latest_ = std::numeric_limits<double>::infinity();  // [s]
   double offered_time_ = 0;
   std::vector<double> offered_state_, offered_rates_;
   bool is_offered_ = false;

@@ -176,6 +176,15 @@ std::vector<double> Machine::find_initial_state() const {
 
 void Machine::initial_state(std::span<double> y) const { std::copy_n(initial_state_.begin(), y.size(), y.begin()); }
 
+std::vector<double> Machine::instants() const {
+  std::vector<double> list = parts_.rotor->instants();
+  for (const auto& support : parts_.supports) {
+    const auto own = support->instants();
+    list.insert(list.end(), own.begin(), own.end());
+  }
+  return list;
+}
+
 void Machine::evaluate(double t, std::span<const double> y, Evaluation& found) const {
   found.rates.resize(integrated_.size());
   evaluate(t, y, found.rates, found);

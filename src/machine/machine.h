@@ -96,6 +96,8 @@ class Machine final {
 
   /// Modes of the rotor, which comes first in the state vector.
   [[nodiscard]] std::vector<Oscillator> oscillators() const { return parts_.rotor->oscillators(); }
+  /// Known times at which the rates jump or bend [s]: those of rotor and supports.
+  [[nodiscard]] std::vector<double> instants() const;
   [[nodiscard]] std::size_t n_supports() const { return parts_.supports.size(); }
   [[nodiscard]] const Support& support(std::size_t i) const { return *parts_.supports[i]; }
   [[nodiscard]] const RotorModel& rotor() const { return *parts_.rotor; }
@@ -254,6 +256,7 @@ class MachineSystem final : public OdeSystem {
   }
   [[nodiscard]] std::size_t first_quadrature() const override { return machine_.first_quadrature(); }
   [[nodiscard]] std::vector<Oscillator> oscillators() const override { return machine_.oscillators(); }
+  [[nodiscard]] std::vector<double> instants() const override { return machine_.instants(); }
 
  private:
   const Machine& machine_;

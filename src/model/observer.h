@@ -19,6 +19,7 @@ struct Step {
   std::span<const double> before, after;  ///< what is integrated, at start and at time
   bool is_observed = false;               ///< whether `found` holds an evaluation at `time`, with the step observables
   bool is_last = false;                   ///< the run ends here
+  bool is_cut = false;                    ///< it ends at a known instant, and the next one begins anew
   const Evaluation* found = nullptr;
   /// Whole state at a time within the step. @throws SolverError for one outside
   virtual void interpolate(double t, std::span<double> y) const = 0;

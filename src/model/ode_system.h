@@ -24,6 +24,9 @@ class OdeSystem {
   [[nodiscard]] virtual std::size_t first_quadrature() const { return layout().size(); }
   /// Pairs of entries that would oscillate freely without the rest: methods may integrate that exactly.
   [[nodiscard]] virtual std::vector<Oscillator> oscillators() const { return {}; }
+  /// Known times at which the rates jump or bend [s], in any order (model/instants.h): steps end there. At such a time itself rhs() gives the rates after
+  /// it; those before it are asked for just before it.
+  [[nodiscard]] virtual std::vector<double> instants() const { return {}; }
 };
 
 }  // namespace rotordrop

@@ -42,6 +42,8 @@ class RotorModel {
   [[nodiscard]] virtual bool has_windage() const { return false; }
   /// Those of its own states that would oscillate freely without forces on the stations, by their places in its own part of the state vector.
   [[nodiscard]] virtual std::vector<Oscillator> oscillators() const { return {}; }
+  /// Known times at which its rates jump or bend over time [s], in any order: steps end there.
+  [[nodiscard]] virtual std::vector<double> instants() const { return {}; }
   /// What it reports besides its spin; names are below /rotor/.
   [[nodiscard]] virtual std::vector<Observable> observables() const { return {}; }
   /// @param out  [sum of sizes of observables()]

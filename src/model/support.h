@@ -57,6 +57,9 @@ class Support {
   [[nodiscard]] virtual std::string heat_port() const { return {}; }
   /// Rows of balls whose heat evaluate() tells apart, in HeatInput::rows, which has their size; 0: none.
   [[nodiscard]] virtual std::size_t n_heated_rows() const { return 0; }
+  /// Known times at which what evaluate() returns jumps or bends over time [s], in any order: steps end there. At such a time itself it returns what holds
+  /// after it.
+  [[nodiscard]] virtual std::vector<double> instants() const { return {}; }
   /// @param y [state_entries().size()] in static equilibrium without the rotor
   virtual void initial_state(std::span<double> y) const = 0;
   /// @param y, dydt        [state_entries().size()]

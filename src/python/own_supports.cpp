@@ -34,6 +34,7 @@ class PythonSupport final : public Support {
   PythonSupport(std::string name, py::object part) : name_(std::move(name)), part_(std::move(part)) {
     states_ = state_entries_of(part_.attr("states"));
     observables_ = observables_of(part_.attr("series"));
+    if (py::hasattr(part_, "instants")) instants_ = part_.attr("instants")().cast<std::vector<double>>();
     initial_ = numbers_of(part_.attr("initial_state")(), states_.size(), name_ + ".initial_state()");
   }
   ~PythonSupport() override {
@@ -44,6 +45,7 @@ class PythonSupport final : public Support {
   [[nodiscard]] const std::string& name() const override { return name_; }
   [[nodiscard]] std::vector<StateEntry> state_entries() const override { return states_; }
   [[nodiscard]] std::vector<Observable> observables() const override { return observables_; }
+  [[nodiscard]] std::vector<double> instants() const override { return instants_; }
   void initial_state(std::span<double> y) const override { std::copy(initial_.begin(), initial_.end(), y.begin()); }
 
   void evaluate(const SupportInput& input, std::span<const double> y, std::span<double> dydt,
@@ -80,7 +82,7 @@ class PythonSupport final : public Support {
   py::object part_;
   std::vector<StateEntry> states_;
   std::vector<Observable> observables_;
-  std::vector<double> initial_;
+  std::vector<double> initial_, instants_;
 };
 
 Section<PythonKeys> section_of(const std::string& type, const std::vector<KeyOfPart>& keys) {

@@ -166,6 +166,14 @@ std::vector<Oscillator> ModalRotor::oscillators() const {
   return list;
 }
 
+std::vector<double> ModalRotor::instants() const {
+  std::vector<double> list;
+  for (const auto& [t, torque] : drive_torque_) list.push_back(t);
+  if (axial_)
+    for (const auto& [t, force] : axial_->force) list.push_back(t);
+  return list;
+}
+
 std::vector<Observable> ModalRotor::observables() const {
   if (n_modes_ <= 2) return {};
   std::vector<std::string> columns = {"translation", "tilt"};

@@ -94,6 +94,8 @@ class ModalRotor final : public RotorModel {
   /// Its flexible modes, those of both planes; none if the damping of one is below 2e-4 of critical: what gyroscopic coupling to the others does, seen a few
   /// times in many turns, then adds up.
   [[nodiscard]] std::vector<Oscillator> oscillators() const override;
+  /// Points of the tables over time.
+  [[nodiscard]] std::vector<double> instants() const override;
   /// Of a rotor that bends: modal_y, modal_z, its modal coordinates [m].
   [[nodiscard]] std::vector<Observable> observables() const override;
   void observe(std::span<const double> y, std::span<double> out) const override;

@@ -1,5 +1,6 @@
 """Supports written in Python: the built-in spring and damper written again gives the built-in's motion, energy closes, and faults of the class come out."""
 
+import json
 import sys
 import unittest
 
@@ -48,6 +49,24 @@ class Maxwell(rd.Support):
         return 0.5 * self.values["stiffness"] * ((seen.journal.y - state[0]) ** 2 + (seen.journal.z - state[1]) ** 2)
 
 
+class Push(rd.Support):
+    """A force that begins at a known time."""
+
+    type = "python-push"
+    parameters = {"force": rd.Quantity("N"), "begin": rd.Quantity("s")}
+    series = (rd.Series("position", "m", "position of the rotor"),)
+
+    def instants(self):
+        return [self.values["begin"]]
+
+    def evaluate(self, seen, state):
+        force = self.values["force"] if seen.time >= self.values["begin"] else 0.0
+        return rd.SupportResponse(force_y=force, prescribed_work=force * seen.journal.velocity_y, observed=(seen.journal.y,))
+
+    def energy(self, seen, state):
+        return 0.0
+
+
 class SpringOfUnknownEnergy(Spring):
     type = "python-spring-of-unknown-energy"
 
@@ -62,6 +81,7 @@ class Supports(PackageTest):
         rd.add_support(Spring)
         rd.add_support(SpringOfUnknownEnergy)
         rd.add_support(Maxwell)
+        rd.add_support(Push)
 
     def case(self, support, overrides=None):
         bearings = {"A": {**support, "node": 2}, "B": {**support, "node": 28}}
@@ -89,6 +109,20 @@ class Supports(PackageTest):
         energy = result.summary["energy"]
         self.assertGreater(energy["dissipated"], 1e-3)
         self.assertLess(abs(energy["residual"]), 1e-6 * energy["dissipated"])
+
+    def test_steps_end_where_a_force_begins(self):
+        # Two forces F at one time move a rigid rotor's centre of gravity by 2 F / m s^2 / 2, s since then.
+        begin, force = 7.0123e-3, 300.0
+        rigid = {"rotor.model": "rigid", "rotor.unbalance": [], "run.gravity": 0, "run.initial_speed": 0}
+        for method in ("tsitouras", "runge-kutta-4", "fehlberg-8"):
+            result = self.case({"type": "python-push", "force": force, "begin": begin}, {**rigid, "integration.method": method}).run()
+            geometry = json.loads((PARAMS / "neisi2019-rotor.json").read_text())
+            x_a, x_b = (geometry["nodes"][node - 1]["x"] for node in (2, 28))
+            a, b = (np.ravel(result[f"bearings.{name}.position"].values) for name in "AB")
+            rotor = result.summary["rotor"]
+            centre = a + (rotor["centre_of_gravity"] - x_a) / (x_b - x_a) * (b - a)
+            since = np.maximum(result.series.time.values - begin, 0)
+            self.assertLess(float(np.abs(centre - force / rotor["mass"] * since**2).max()), 1e-14, f"m, of 0.5 mm, by {method}")
 
     def test_what_is_not_booked_shows(self):
         class Forgetful(Spring):

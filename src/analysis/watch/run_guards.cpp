@@ -16,7 +16,7 @@
 namespace rotordrop {
 namespace {
 
-/// Steps at the start of a run, and after a resumption, grow from what the method guesses first.
+/// Steps at the start of a run, and after a resumption or a known instant, grow from what the method guesses first.
 constexpr double steps_left_out = 20;
 
 /// Parts of "/thermal/TB1/inner_ring".
@@ -199,7 +199,9 @@ void RunGuards::follow(std::span<const Look> looks, double time, std::span<const
 void RunGuards::step(const Step& step) {
   if (step.is_observed) follow(steps_, step.time, step.found->step);
   if (step.time == step.start) return;
-  if (++n_steps_ > steps_left_out && !step.is_last) follow(step_guard_, step.time, step.time - step.start);
+  if (++n_steps_ > steps_left_out && !step.is_last && !step.is_cut)
+    follow(step_guard_, step.time, step.time - step.start);
+  if (step.is_cut) n_steps_ = 0;
 }
 
 void RunGuards::Rows::row(double time, std::span<const double> values) {

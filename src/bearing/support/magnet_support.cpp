@@ -76,6 +76,10 @@ std::vector<Observable> MagnetSupport::observables() const {
   return {{"magnet_force", "N", "force of the magnet on the rotor", 3, {"x", "y", "z"}}};
 }
 
+std::vector<double> MagnetSupport::instants() const {
+  return {p_.release_time[0], p_.release_time[1], p_.axial_release_time};
+}
+
 void MagnetSupport::evaluate(const SupportInput& in, std::span<const double>, std::span<double>,
                              std::span<double> ledger, SupportOutput& out) const {
   const std::array<double, 2> x = {in.journal.y - start_.centre[1], in.journal.z - start_.centre[2]};

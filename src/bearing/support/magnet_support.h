@@ -43,6 +43,7 @@ class MagnetSupport final : public Support {
   [[nodiscard]] std::vector<StateEntry> state_entries() const override { return {}; }
   [[nodiscard]] std::vector<StateEntry> ledger_entries() const override;
   [[nodiscard]] std::vector<Observable> observables() const override;
+  [[nodiscard]] std::vector<double> instants() const override;
   void initial_state(std::span<double>) const override {}
   void evaluate(const SupportInput& input, std::span<const double> y, std::span<double> dydt,
                 std::span<double> ledger_rates, SupportOutput& out) const override;

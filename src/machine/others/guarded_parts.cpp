@@ -82,6 +82,9 @@ class GuardedSupport final : public Support {
   [[nodiscard]] std::size_t n_heated_rows() const override {
     return at_door(part_, "n_heated_rows()", [&] { return inner_->n_heated_rows(); });
   }
+  [[nodiscard]] std::vector<double> instants() const override {
+    return at_door(part_, "instants()", [&] { return inner_->instants(); });
+  }
   void initial_state(std::span<double> y) const override {
     at_door(part_, "initial_state()", [&] { inner_->initial_state(y); });
   }

@@ -98,6 +98,10 @@ class Support:
         """States in static equilibrium without the rotor; zeros unless overridden."""
         return [0.0] * len(self.states)
 
+    def instants(self) -> Sequence[float]:
+        """Known times at which what it returns jumps or bends [s]: steps end there. At such a time itself `evaluate` returns what holds after it."""
+        return []
+
     def evaluate(self, seen: SupportInput, state: npt.NDArray[np.float64]) -> SupportResponse:
         """The force on the rotor and what else follows from motion and state. Pure: nothing may be kept from one call to the next."""
         raise NotImplementedError(f"{type(self).__name__}.evaluate")

@@ -20,6 +20,7 @@ struct Throwing final : Support {
   [[nodiscard]] const std::string& name() const override { return name_; }
   [[nodiscard]] std::vector<StateEntry> state_entries() const override { return {}; }
   [[nodiscard]] std::vector<Observable> observables() const override { return {}; }
+  [[nodiscard]] std::vector<double> instants() const override { return {1e-3, 2e-3}; }
   void initial_state(std::span<double>) const override {}
   void evaluate(const SupportInput&, std::span<const double>, std::span<double>, std::span<double>,
                 SupportOutput& out) const override {
@@ -100,6 +101,10 @@ TEST(GuardedParts, FaultsOfTheInputAndLackOfMemoryStayWhatTheyAre) {
 TEST(GuardedParts, HeatThatNobodyTakesIsTold) {
   EXPECT_NE(told_by([] { evaluate(*made({.rub = 5.})); }).find("no thermal model takes"), std::string::npos);
   EXPECT_EQ(told_by([] { evaluate(*made({})); }), "");
+}
+
+TEST(GuardedParts, InstantsAreThoseOfThePart) {
+  EXPECT_EQ(made({})->instants(), (std::vector{1e-3, 2e-3}));
 }
 
 TEST(GuardedParts, AnEnergyThatIsNoNumberIsTold) {

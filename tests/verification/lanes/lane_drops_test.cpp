@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 
 #include "../machine/test_machines.h"
 #include "analysis/drop_lanes.h"
@@ -160,6 +161,26 @@ TEST(DropsInLanes, OfAnotherKindBeginWhereTheLastOfAKindIsOver) {
   }
   EXPECT_NE(alone[0]->drop.result().state.size(), alone[1]->drop.result().state.size());
   EXPECT_NE(alone[0]->drop.result().state.size(), alone[3]->drop.result().state.size());
+}
+
+// In flight Ip w' = T: a torque that rises from 0 to 1/width and falls back within the width leaves Ip w' = 1/2, in each lane at its own time.
+TEST(DropsInLanes, MeetThePointsOfTheirTorques) {
+  constexpr double Ip = 0.3899981437441726, initial_speed = 15200. * std::numbers::pi / 30.;  // kg m^2, rad/s
+  for (const char* method : {"tsitouras", "two-step-runge-kutta", "bogacki-shampine"}) {
+    std::vector<std::unique_ptr<OneDrop>> list;
+    for (int k = 0; k < 5; ++k) {
+      auto set = settings(static_cast<std::size_t>(k), "5 ms", method);
+      const double begin = 1.03e-3 + 0.21e-3 * k, width = 1e-5 * (k + 1);
+      set.push_back(fmt::format("rotor.torque=[[0, 0], [{}, 0], [{}, {}], [{}, 0]]", begin, begin + width / 2.,
+                                1. / width, begin + width));
+      list.push_back(std::make_unique<OneDrop>(set));
+    }
+    for (const auto& failure : run_together(list)) EXPECT_FALSE(failure);
+    for (const auto& run : list) {
+      const double gained = run->example->spin(run->drop.result().state).speed - initial_speed;
+      EXPECT_NEAR(Ip * gained, 0.5, 1e-9) << "N m s, by " << method;
+    }
+  }
 }
 
 TEST(DropsInLanes, EndEachAtItsOwnTime) {
