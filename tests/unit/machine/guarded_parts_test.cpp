@@ -103,9 +103,7 @@ TEST(GuardedParts, HeatThatNobodyTakesIsTold) {
   EXPECT_EQ(told_by([] { evaluate(*made({})); }), "");
 }
 
-TEST(GuardedParts, InstantsAreThoseOfThePart) {
-  EXPECT_EQ(made({})->instants(), (std::vector{1e-3, 2e-3}));
-}
+TEST(GuardedParts, InstantsAreThoseOfThePart) { EXPECT_EQ(made({})->instants(), (std::vector{1e-3, 2e-3})); }
 
 TEST(GuardedParts, AnEnergyThatIsNoNumberIsTold) {
   const auto unknown = made({.stored = std::nan("")});
