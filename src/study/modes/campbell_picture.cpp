@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/rotation.h"
+#include "study/modes/campbell_lines.h"
 #include "study/modes/critical_speeds_report.h"
 
 namespace rotordrop {
@@ -77,18 +78,14 @@ std::string campbell(const CriticalSpeedReport& report, double up_to, double ope
   std::string svg = axes.frame("Campbell diagram", "spin speed, rpm", "frequency, Hz");
   svg += fmt::format("<path d=\"M{:.1f} {:.1f}L{:.1f} {:.1f}\" class=\"spin\"/>\n", axes.x(0), axes.y(0),
                      axes.x(up_to * to_rpm), axes.y(up_to / two_pi));
-  for (std::size_t i = 0; i + 1 < report.diagram_speeds.size(); ++i) {
-    const auto &a = report.diagram_modes[i].modes, &b = report.diagram_modes[i + 1].modes;
-    // Modes enter and leave at the bottom, where they become overdamped: count from the top.
-    for (std::size_t k = 1; k <= std::min(a.size(), b.size()); ++k) {
-      const auto &from = a[a.size() - k], &to = b[b.size() - k];
-      if (std::max(from.frequency, to.frequency) > axes.y_to) continue;
+  for (const CampbellLine& line : campbell_lines(report, axes.y_to))
+    for (std::size_t k = 1; k < line.size(); ++k) {
+      const WhirlMode &from = *line[k - 1].mode, &to = *line[k].mode;
       svg += fmt::format("<path d=\"M{:.2f} {:.2f}L{:.2f} {:.2f}\" stroke=\"{}\"{}/>\n",
-                         axes.x(report.diagram_speeds[i] * to_rpm), axes.y(from.frequency),
-                         axes.x(report.diagram_speeds[i + 1] * to_rpm), axes.y(to.frequency), colour(to.whirl),
+                         axes.x(line[k - 1].speed * to_rpm), axes.y(from.frequency), axes.x(line[k].speed * to_rpm),
+                         axes.y(to.frequency), colour(to.whirl),
                          to.damping_ratio > 0.3 ? " stroke-dasharray=\"3 3\"" : "");
     }
-  }
   const bool shows_operating = operating > 0. && operating <= up_to;
   if (shows_operating)
     svg += fmt::format("<path d=\"M{0:.1f} {1:.1f}V{2:.1f}\" class=\"operating\"/>\n", axes.x(operating * to_rpm), top,

@@ -8,6 +8,7 @@
 #include "analysis/facts/rotor_report.h"
 #include "base/rotation.h"
 #include "io/hdf5/recorded_series.h"
+#include "study/modes/campbell_lines.h"
 #include "study/report/packed.h"
 #include "study/report/report.h"
 #include "study/report/rounded.h"
@@ -81,61 +82,53 @@ std::vector<double> real_shape(const WhirlMode& mode) {
   return shape;
 }
 
-/// Of one diagram: lines of modes, with whirl and damping, in the order from the highest frequency downwards.
-Json campbell_lines(const CriticalSpeedReport& report, double largest_frequency) {
+/// Lines of one kind of motion each.
+Json campbell_curves(const CriticalSpeedReport& report, double largest_frequency) {
   struct Branch {
     std::vector<double> x, y;
     Whirl whirl = Whirl::planar;
     bool is_damped = false;
   };
-  Json lines = Json::array();
+  Json curves = Json::array();
   const auto close = [&](Branch& branch) {
     if (branch.x.size() > 1) {
       const bool is_forward = branch.whirl == Whirl::forward, is_backward = branch.whirl == Whirl::backward;
-      lines.push_back({{"name", std::string(is_forward    ? "forward"
-                                            : is_backward ? "backward"
-                                                          : "planar or mixed") +
-                                    (branch.is_damped ? ", damping above 30 %" : "")},
-                       {"colour", is_forward    ? 0
-                                  : is_backward ? 1
-                                                : 6},
-                       {"dash", branch.is_damped ? 2 : 0},
-                       {"x", rounded(branch.x, to_rpm)},
-                       {"y", rounded(branch.y, 1.)}});
+      curves.push_back({{"name", std::string(is_forward    ? "forward"
+                                             : is_backward ? "backward"
+                                                           : "planar or mixed") +
+                                     (branch.is_damped ? ", damping above 30 %" : "")},
+                        {"colour", is_forward    ? 0
+                                   : is_backward ? 1
+                                                 : 6},
+                        {"dash", branch.is_damped ? 2 : 0},
+                        {"x", rounded(branch.x, to_rpm)},
+                        {"y", rounded(branch.y, 1.)}});
     }
     branch = {};
   };
-  std::size_t most = 0;
-  for (const auto& at : report.diagram_modes) most = std::max(most, at.modes.size());
-  for (std::size_t k = 1; k <= most; ++k) {  // modes enter and leave at the bottom, where they become overdamped
+  for (const CampbellLine& line : campbell_lines(report, largest_frequency)) {
     Branch branch;
-    for (std::size_t i = 0; i < report.diagram_speeds.size(); ++i) {
-      const auto& modes = report.diagram_modes[i].modes;
-      if (k > modes.size() || modes[modes.size() - k].frequency > largest_frequency) {
-        close(branch);
-        continue;
-      }
-      const WhirlMode& mode = modes[modes.size() - k];
-      const bool is_damped = mode.damping_ratio > 0.3;
+    for (const auto& [speed, mode] : line) {
+      const bool is_damped = mode->damping_ratio > 0.3;
       const bool is_settled = branch.x.size() > 1;  // at rest every whirl is planar
-      if (is_settled && (mode.whirl != branch.whirl || is_damped != branch.is_damped)) {
+      if (is_settled && (mode->whirl != branch.whirl || is_damped != branch.is_damped)) {
         const double x = branch.x.back(), y = branch.y.back();
         close(branch);
         branch.x = {x};
         branch.y = {y};
       }
-      branch.x.push_back(report.diagram_speeds[i]);
-      branch.y.push_back(mode.frequency);
-      branch.whirl = mode.whirl;
+      branch.x.push_back(speed);
+      branch.y.push_back(mode->frequency);
+      branch.whirl = mode->whirl;
       branch.is_damped = is_damped;
     }
     close(branch);
   }
-  return lines;
+  return curves;
 }
 
 Json campbell_chart(const CriticalSpeedReport& report, double up_to, double operating, const std::string& supports) {
-  Json lines = campbell_lines(report, 1.25 * up_to / two_pi), points = Json::array();
+  Json lines = campbell_curves(report, 1.25 * up_to / two_pi), points = Json::array();
   // At every speed of the diagram: the page reads values off the nearest point.
   lines.push_back({{"name", "spin frequency"},
                    {"colour", 7},
