@@ -94,8 +94,8 @@ void TouchdownBearing::initial_state(std::span<double> y) const {
   std::fill(y.begin(), y.end(), 0.);
   const Force weight{data_.free_ring ? data_.ring_mass * data_.free_ring->gravity_x : 0.,
                      data_.ring_mass * data_.gravity_y, data_.ring_mass * data_.gravity_z};
-  const auto place =
-      ring_equilibrium(rows_, weight, data_.free_ring.has_value(), data_.cage_angle, stiffness_of_both_rings());
+  const std::vector<double> both = stiffness_of_both_rings();
+  const auto place = ring_equilibrium(rows_, weight, data_.free_ring.has_value(), data_.cage_angle, both);
   y[cage_angle] = data_.cage_angle;
   if (data_.support_law) {
     const SupportPlace rest = resting_place(*data_.support_law, weight.y, weight.z);
@@ -108,7 +108,7 @@ void TouchdownBearing::initial_state(std::span<double> y) const {
   }
   y[ring_y] = place.y + y[support_y];
   y[ring_z] = place.z + y[support_z];
-  bend_at_rest(place.shape, y);
+  bend_at_rest(both, place.shape, y);
   if (!data_.free_ring) return;
   y[ring_x] = place.x;
   y[tilt_y] = place.psi_y;

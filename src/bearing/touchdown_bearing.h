@@ -292,8 +292,8 @@ class TouchdownBearing final : public Support {
   [[nodiscard]] std::vector<ShapeMotion> shape_motions() const;
   /// Of inner and outer ring in series, for each coefficient of the inner one [N/m].
   [[nodiscard]] std::vector<double> stiffness_of_both_rings() const;
-  /// Divides what the grooves are widened by between both rings.
-  void bend_at_rest(std::span<const double> widening, std::span<double> y) const;
+  /// Divides what the grooves are widened by between both rings. @param both  stiffness_of_both_rings()
+  void bend_at_rest(std::span<const double> both, std::span<const double> widening, std::span<double> y) const;
   [[nodiscard]] double bend(std::span<const double> y, ShapeForces& forces, std::span<double> dydt) const;
   [[nodiscard]] double bending_energy(std::span<const double> y) const;
   [[nodiscard]] std::vector<StateEntry> shape_entries() const;

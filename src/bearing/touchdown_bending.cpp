@@ -85,8 +85,8 @@ std::vector<double> TouchdownBearing::stiffness_of_both_rings() const {
   return both;
 }
 
-void TouchdownBearing::bend_at_rest(std::span<const double> widening, std::span<double> y) const {
-  const auto both = stiffness_of_both_rings();
+void TouchdownBearing::bend_at_rest(std::span<const double> both, std::span<const double> widening,
+                                    std::span<double> y) const {
   const std::size_t n = both.size(), m = data_.bending ? data_.bending->n_outer() : 0;
   for (std::size_t k = 0; k < n; ++k) {
     const double force = both[k] * widening[k];
