@@ -121,9 +121,9 @@ std::optional<FatigueShare> BallFatigue::of(const std::string& bearing) const {
         for (int j = 0; j < row.n_balls; ++j) {
           const LoadCycles cycles = race.balls[first_ball + static_cast<std::size_t>(j)].finished();
           sum += cycles.sum_of_cubes();
+          found.load_over_rating = std::max(found.load_over_rating, cycles.largest() / ball_load_at_rating(row));
           if (&race != &b.races.front()) continue;
           found.largest_cycle = std::max(found.largest_cycle, cycles.largest());
-          found.load_over_rating = std::max(found.load_over_rating, cycles.largest() / ball_load_at_rating(row));
           worst_ball = std::max(worst_ball, cycles.sum_of_cubes());
         }
         by_cycles.push_back(life_share(row, sum));

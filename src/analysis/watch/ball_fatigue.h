@@ -21,7 +21,7 @@ struct FatigueShare {
   double largest_cycle = 0;  ///< range on the inner race [N]
   double equivalent_cycles =
       0;                        ///< cycles of that range that do the same to its ball; of the ball with the largest sum
-  double load_over_rating = 0;  ///< largest cycle over the ball load under C; ISO 281 holds to 0.5
+  double load_over_rating = 0;  ///< largest cycle on either race over the ball load under C; ISO 281 holds to 0.5
   std::vector<double> rows;     ///< share of each row's own life
 };
 
