@@ -86,6 +86,8 @@ FirstIndices::FirstIndices(FirstBy by, std::vector<std::vector<double>> x, std::
     std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
       return x[j][a] != x[j][b] ? x[j][a] < x[j][b] : bits_of(seed, a, j) < bits_of(seed, b, j);
     });
+    auto& level = levels_.emplace_back(n);
+    for (std::size_t k = 1; k < n; ++k) level[order[k]] = level[order[k - 1]] + (x[j][order[k]] != x[j][order[k - 1]]);
   }
   std::vector<std::pair<std::uint64_t, std::size_t>> drawn(n);
   for (std::size_t h = 0; h < n_halves; ++h) {
@@ -98,42 +100,63 @@ FirstIndices::FirstIndices(FirstBy by, std::vector<std::vector<double>> x, std::
 
 namespace {
 
-/// Over the points that count, in an order: sum of products of neighbours over sum of squares, both around the mean.
-double rank_index(const std::vector<std::size_t>& order, const std::vector<double>& y, const std::uint8_t* counts) {
-  double sum = 0., squares = 0., products = 0., first = 0., last = 0.;
-  std::size_t n = 0;
-  for (const std::size_t k : order)
-    if (!counts || counts[k]) sum += y[k], ++n;
-  if (n < 3) return std::nan("");
-  const double mean = sum / static_cast<double>(n);
-  bool is_first = true;
-  for (const std::size_t k : order) {
-    if (counts && !counts[k]) continue;
-    const double value = y[k] - mean;
-    squares += value * value;
-    if (is_first)
-      first = value;
-    else
-      products += last * value;
-    last = value;
-    is_first = false;
-  }
-  return (products + last * first) / squares;  // the last point's neighbour is the first one
-}
+/// A first index, and by how much scatter may make it too large.
+struct FirstIndex {
+  double value = std::nan(""), excess = 0.;
+};
 
-/// Over the points that count, in an order: variance of the classes' means over the variance.
-double class_index(const std::vector<std::size_t>& order, const std::vector<double>& y, const std::uint8_t* counts) {
+/// Values of the points that count, in an order.
+std::vector<double> counted(const std::vector<std::size_t>& order, const std::vector<double>& y,
+                            const std::uint8_t* counts) {
   std::vector<double> values;
   for (const std::size_t k : order)
     if (!counts || counts[k]) values.push_back(y[k]);
-  if (values.size() < 8) return std::nan("");
+  return values;
+}
+
+/// One less half the mean square of neighbours' differences over the variance.
+FirstIndex rank_index(const std::vector<std::size_t>& order, const std::vector<double>& y, const std::uint8_t* counts) {
+  const std::vector<double> values = counted(order, y, counts);
+  if (values.size() < 3) return {};
+  double squares = 0.;
+  for (std::size_t k = 1; k < values.size(); ++k) squares += (values[k] - values[k - 1]) * (values[k] - values[k - 1]);
+  const double s = deviation_of(values);
+  return {1. - squares / (2. * static_cast<double>(values.size() - 1) * s * s)};
+}
+
+/// Of n points.
+std::size_t number_of_classes(std::size_t n) {
+  std::size_t classes = 1;
+  while (4 * classes * classes <= n) classes *= 2;
+  return classes;
+}
+
+/// Variance of the classes' means over the variance. @param level  of each point
+FirstIndex class_index(const std::vector<std::size_t>& order, const std::vector<std::size_t>& level,
+                       const std::vector<double>& y, const std::uint8_t* counts) {
+  const std::vector<double> values = counted(order, y, counts);
   const std::size_t n = values.size();
-  std::size_t n_classes = 1;
-  while (4 * n_classes * n_classes <= n) n_classes *= 2;
+  if (n < 8) return {};
+  std::size_t n_classes = number_of_classes(n);
+  std::vector<std::size_t> ends;  // of the classes among the values
+  if (level[order.back()] < n_classes) {
+    std::size_t k = 0, last = level.size();
+    for (const std::size_t point : order) {
+      if (counts && !counts[point]) continue;
+      if (k > 0 && level[point] != last) ends.push_back(k);
+      last = level[point];
+      ++k;
+    }
+    ends.push_back(n);
+    n_classes = ends.size();
+  } else {
+    for (std::size_t c = 1; c <= n_classes; ++c) ends.push_back(c * n / n_classes);
+  }
   const double mean = mean_of(values);
   double squares = 0., between = 0.;
-  for (std::size_t c = 0, k = 0; c < n_classes; ++c) {
-    const std::size_t first = k, end = (c + 1) * n / n_classes;
+  std::size_t k = 0;
+  for (const std::size_t end : ends) {
+    const std::size_t first = k;
     double sum = 0.;
     for (; k < end; ++k) {
       const double value = values[k] - mean;
@@ -142,26 +165,29 @@ double class_index(const std::vector<std::size_t>& order, const std::vector<doub
     }
     between += sum * sum / static_cast<double>(end - first);
   }
-  return between / squares;
+  const double index = between / squares;
+  return {index, static_cast<double>(n_classes - 1) / static_cast<double>(n - n_classes) * (1. - index)};
 }
 
 }  // namespace
 
 std::vector<Estimate> FirstIndices::first(const std::vector<double>& y) const {
   std::vector<Estimate> result;
-  const auto index = by_ == FirstBy::ranks ? rank_index : class_index;
-  for (const auto& all : orders_) {
+  for (std::size_t j = 0; j < orders_.size(); ++j) {
     std::vector<std::size_t> order;
-    for (const std::size_t k : all)
+    for (const std::size_t k : orders_[j])
       if (std::isfinite(y[k])) order.push_back(k);
-    Estimate estimate{index(order, y, nullptr), {}, {}};
-    std::vector<double> halves;
-    if (order.size() >= 20)
-      for (const auto& half : halves_) halves.push_back(index(order, y, half.data()));
-    if (halves.size() > 1) {
-      const double width = 1.959963984540054 * deviation_of(halves);
-      estimate.low = estimate.value - width;
-      estimate.high = estimate.value + width;
+    const auto index = [&](const std::uint8_t* counts) {
+      return by_ == FirstBy::ranks ? rank_index(order, y, counts) : class_index(order, levels_[j], y, counts);
+    };
+    const FirstIndex of_all = index(nullptr);
+    Estimate estimate{of_all.value, {}, {}};
+    if (order.size() >= 20 && halves_.size() > 1) {
+      std::vector<double> of_halves;
+      for (const auto& half : halves_) of_halves.push_back(index(half.data()).value);
+      const double width = 1.959963984540054 * deviation_of(of_halves);
+      estimate.low = of_all.value - of_all.excess - width;
+      estimate.high = of_all.value + std::max(width, of_all.value - mean_of(of_halves));
     }
     result.push_back(estimate);
   }

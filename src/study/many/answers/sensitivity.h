@@ -22,17 +22,18 @@ SobolResult sobol_indices(const std::vector<double>& y, std::size_t n_parameters
 
 /// How first indices follow from a sample.
 enum class FirstBy {
-  /// Products of neighbours by a parameter (Gamboa, Gremaud, Klein & Lagnoux 2022). Neighbours by one parameter must know nothing of each other's
-  /// other ones: Latin hypercubes, independent points. Points of a Sobol' sequence are laid out against each other and do not serve.
+  /// Squares of differences of neighbours by a parameter, half of whose mean is the variance that the others leave (von Neumann 1941, Rice 1984). The products of neighbours of
+  /// Gamboa, Gremaud, Klein & Lagnoux (2022) are the same but for the ends, which they join, and are too small by that. Neighbours by one parameter must
+  /// know nothing of each other's other ones: Latin hypercubes, independent points. Points of a Sobol' sequence are laid out against each other and do not serve.
   ranks,
   /// Variance of the means of classes with equally many points by a parameter (Plischke, Borgonovo & Smith 2013). About as many classes as points in
-  /// each, a power of two: in each class of a Sobol' sequence the other parameters fill their ranges evenly. Of other points too large by up to
-  /// classes / points.
+  /// each, a power of two: in each class of a Sobol' sequence the other parameters fill their ranges evenly. A parameter with no more values than classes
+  /// has its values for classes. Where points scatter it is too large by up to classes / points, and its interval reaches down by that.
   classes
 };
 
-/// First indices from a sample; points with a NaN drop out. Intervals: value +- 1.96 standard errors by the delete-half jackknife, since repeated
-/// points of a bootstrap would be each other's neighbours.
+/// First indices from a sample; points with a NaN drop out. Intervals: 1.96 standard errors by the delete-half jackknife, since repeated points of a bootstrap
+/// would be each other's neighbours; up by what half as many points miss, if that is more.
 class FirstIndices {
  public:
   /// @param x  [parameters][points]
@@ -43,6 +44,7 @@ class FirstIndices {
  private:
   FirstBy by_;
   std::vector<std::vector<std::size_t>> orders_;   ///< points by each parameter
+  std::vector<std::vector<std::size_t>> levels_;   ///< which of its values a point has, of each parameter, rising
   std::vector<std::vector<std::uint8_t>> halves_;  ///< points in each half
 };
 

@@ -234,7 +234,7 @@ void add_indices(Json& j, const Study& study, const Design& design, const StudyT
       is_saltelli ? "Sobol indices: first by Saltelli et al. 2010, total by Jansen 1999; bootstrap of blocks, 95 %"
       : is_morris ? "elementary effects per range (Morris 1991); bootstrap of effects, 95 %"
       : by == FirstBy::classes ? "first indices by classes (Plischke et al. 2013); delete-half jackknife, 95 %"
-                               : "first indices by ranks (Gamboa et al. 2022); delete-half jackknife, 95 %";
+                               : "first indices by differences of neighbours (Rice 1984); delete-half jackknife, 95 %";
   std::optional<FirstIndices> sample;
   if (is_sample) sample.emplace(by, drawn_columns(study, design), seed);
   Json& to = j[is_morris ? "morris" : "indices"];
