@@ -51,6 +51,12 @@ class FaultyCases(ProgramTest):
         self.assertIn("disc.toml:9:12", message)
         self.assertIn('Did you mean "disc.outer"?', message)
 
+    @unittest.skipUnless(HAS_ROOM, "built without the finite-element module")
+    def test_degrees_celsius_taken_for_kelvins_are_told(self):
+        held = DISC.split("[[flux]]")[0] + '[[fixed]]\nboundary = "disc.outer"\ntemperature = 60\n'
+        for text, words in ((held, "temperature = 60 K is unusual"), (DISC + '[[displacement]]\nname = "u"\nboundary = "disc.outer"\n[elastic]\nstrain_free_temperature = 20\n', "strain_free_temperature = 20 K is unusual")):
+            self.assertIn(words, self.succeed("heat", self.write("cold.toml", text), "-o", "out", "--force").stderr)
+
     def test_times_and_values_must_be_as_many(self):
         self.assertIn("1 times and 2 values", self.fault(DISC.replace("[1e5]", "[1e5, 0]")))
 
@@ -149,6 +155,36 @@ class NothingToDo(ProgramTest):
         self.assertTrue(summary["completed"])
         self.assertLess(summary["rejected_steps"], 10)
         self.assertLess(summary["factorisations"], 500)
+
+
+@unittest.skipUnless(HAS_ROOM, "built without the finite-element module")
+class SteadyInTheEnd(ProgramTest):
+    """Runs that go on long after their steady state."""
+
+    def test_free_convection_keeps_its_long_steps(self):
+        # Rounding of flows that cancel is more than Newton's tolerance in long steps. All heat leaves by h = 23 dT^0.25: dT = (Q/(23 A))^0.8.
+        text = "output_times = [2e6]\nrun.ambient = 293\n"
+        for name, k, inner, outer in (("a", 15, 0.01, 0.02), ("b", 200, 0.02, 0.025), ("c", 0.2, 0.025, 0.04)):
+            text += f'[materials.{name}]\nrho = 2000\nk = {k}\nc = 500\n[[section.rectangle]]\nname = "{name}"\nx = [0, 0.03]\nr = [{inner}, {outer}]\nmaterial = "{name}"\n'
+        for pair, resistance in (('"a.outer", "b.inner"', 1e-4), ('"c.inner", "b.outer"', 5e-4)):
+            text += f"[[interface]]\nbetween = [{pair}]\nresistance = {resistance}\n"
+        text += '[[flux]]\nboundary = "a.inner"\ntimes = [0]\nvalues = [5e3]\n[[convection]]\nboundary = "c.outer"\ncoefficient = 23\nexponent = 0.25\nambient = 310\n'
+        text += '[[probe]]\nname = "outside"\nboundary = "c.outer"\n'
+        self.succeed("heat", self.write("long.toml", text), "-o", "out")
+        summary = self.summary()
+        rise = (5e3 * 0.01 / 0.04 / 23) ** 0.8
+        self.assertAlmostEqual(summary["probes"]["outside"]["temperature"][-1], 310 + rise, delta=1e-5 * rise)  # what the tolerance of 1e-6 leaves
+        self.assertLess(summary["rejected_steps"], 20)
+        self.assertLess(summary["steps"], 400)
+
+    def test_the_first_step_may_be_far_below_the_end(self):
+        # Heat through a thin ring: q r_i/(h r_o) above ambient outside in the end.
+        text = '[materials.alu]\nrho = 2700\nk = 200\nc = 900\n' + DISC.replace('["1 ms", 0.01]', '["2.5e6 s"]').replace('"steel"', '"alu"').replace('[0, "20 mm"]', '["35 mm", "40 mm"]')
+        text = "output_times" + text.split("output_times")[1] + text.split("output_times")[0]
+        text = text.replace("disc.outer", "disc.inner") + '[[convection]]\nboundary = "disc.outer"\ncoefficient = 600\n[[probe]]\nname = "outside"\nboundary = "disc.outer"\n'
+        self.succeed("heat", self.write("thin.toml", text), "-o", "out")
+        rise = 1e5 * 35 / (600 * 40)
+        self.assertAlmostEqual(self.summary()["probes"]["outside"]["temperature"][-1], 293.15 + rise, delta=1e-5 * rise)
 
 
 class RecordedHeat(ProgramTest):

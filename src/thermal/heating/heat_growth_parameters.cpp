@@ -17,6 +17,7 @@ Section<HeatElasticParameters> heat_elastic_section() {
   s.quantity("strain_free_temperature", &P::strain_free_temperature,
              {.unit = "K",
               .range = between(1, 2000),
+              .usual = between(200, 1500),
               .help = "Temperature at which the bodies have the dimensions of [section]; run.ambient if omitted."});
   return s;
 }
@@ -37,6 +38,7 @@ Section<HeatFitParameters> heat_fit_section() {
   s.quantity("interference", &P::interference,
              {.unit = "m",
               .range = between(-1e-2, 1e-2),
+              .usual = between(-1e-3, 1e-3),
               .fallback = "0 m",
               .help = "Radial or axial interference of the parts before assembly; negative: clearance."});
   s.choice("kind", &P::kind, {{"frictionless", FitKind::frictionless}, {"bonded", FitKind::bonded}},

@@ -68,6 +68,7 @@ Section<HeatRectangleParameters> rectangle_section() {
   s.quantity("temperature", &P::temperature,
              {.unit = "K",
               .range = between(1, 2000),
+              .usual = between(200, 1500),
               .help = "Temperature at which the whole body is held from the start; computed if omitted."});
   s.check([](const P& p, const Node& table, const std::string& path, Faults& faults) {
     check_rising(p.x, "x", table, path, faults);
@@ -222,7 +223,10 @@ Section<HeatFixedParameters> fixed_section() {
   Section<P> s("fixed", "A boundary that is held at a temperature, where no interface covers it.");
   s.text("boundary", &P::boundary, {.help = "Boundary: BODY.inner, .outer, .left or .right."});
   s.quantity("temperature", &P::temperature,
-             {.unit = "K", .range = between(1, 2000), .help = "Temperature held from the start."});
+             {.unit = "K",
+              .range = between(1, 2000),
+              .usual = between(200, 1500),
+              .help = "Temperature held from the start."});
   return s;
 }
 
