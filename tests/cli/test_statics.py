@@ -53,6 +53,17 @@ class Statics(ProgramTest):
         self.assertAlmostEqual(sprung["preload"], 290, delta=1e-3)
         self.assertAlmostEqual(warm["growth"]["inner_race"], 11.8e-6 * 39e-3 * 5, delta=1e-12)
 
+    def test_a_spring_presses_with_the_preload_where_it_was_mounted(self):
+        clamped = self.bearing("--set", "statics.inner_rise=5 K")
+        for stiffness in ("0", "1e6", "1e9"):
+            spring = ["--set", "statics.preload_by=spring", "--set", f"statics.preload_stiffness={stiffness} N/m"]
+            cold = self.bearing(*spring)
+            self.assertAlmostEqual(cold["preload"], 290, delta=1e-6 * 290, msg=stiffness)  # the search leaves 1e-9 of it
+            self.assertAlmostEqual(cold["displacement"]["x"], 0, delta=1e-10)
+        # A spring of 1e14 N/m is a clamp: rows of 1e8 N/m move it by 1e-6 of what they yield themselves.
+        stiff = self.bearing("--set", "statics.inner_rise=5 K", "--set", "statics.preload_by=spring", "--set", "statics.preload_stiffness=1e14 N/m")
+        self.assertAlmostEqual(stiff["preload"], clamped["preload"], delta=1e-5 * clamped["preload"])
+
     def test_uniform_heating_changes_no_preload_unless_growth_is_the_papers(self):
         for arrangement in ("X", "O"):
             for rise, allowed in ((-50, 1e-3), (50, 1e-3), (150, 4e-3)):  # at 150 K similarity itself says 1.003

@@ -55,12 +55,12 @@ RingSetup ring_setup(const StaticsParameters& s, const TouchdownParameters& b, c
   std::optional<PreloadSpring> spring;
   double axial = 0.;
   const bool opposed = leans_both_ways(rows);
-  if (!opposed || s.preload_by == PreloadBy::spring)
+  if (!opposed) {
     for (auto& g : rows) g.preload_offset = 0.;
-  if (!opposed)
     axial = b.preload * static_cast<double>(rows.size()) * rows.front().direction;
-  else if (s.preload_by == PreloadBy::spring)
-    spring = PreloadSpring{b.preload, s.preload_stiffness};
+  } else if (s.preload_by == PreloadBy::spring) {
+    spring = PreloadSpring{b.preload, s.preload_stiffness};  // both rows stand where it presses them
+  }
   return {{RingStatics(std::move(rows), around, spring), data.bending}, axial};
 }
 
