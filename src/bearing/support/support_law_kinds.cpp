@@ -146,6 +146,10 @@ const std::vector<SupportLawKind>& support_law_kinds() {
 
 bool is_plain(const SupportParameters& s) { return s.type == "linear" && !s.stop && !s.z; }
 
+bool is_soft(const SupportParameters& s) {
+  return s.type == "ribbon" || s.type == "elastomer" || s.type == "squeeze-film";
+}
+
 std::optional<StopParameters> acting_stop(const SupportParameters& s) {
   if (s.stop || !has_film(s)) return s.stop;
   return StopParameters{(1. - SqueezeFilm::thinnest) * s.squeeze_film->clearance, 1e9, 0.08};

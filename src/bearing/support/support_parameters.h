@@ -70,6 +70,8 @@ struct SupportSurroundings {
 
 /// Whether springs and dampers alone, K_y to C_z, carry the outer ring.
 [[nodiscard]] bool is_plain(const SupportParameters& support);
+/// Whether a ribbon, an elastomer or an oil film carries the ring, along y at the least: the housing does not hold it against growing then.
+[[nodiscard]] bool is_soft(const SupportParameters& support);
 /// The law; none for a plain support.
 [[nodiscard]] std::shared_ptr<const SupportLaw> support_law(const SupportParameters& support,
                                                             const SupportSurroundings& around);

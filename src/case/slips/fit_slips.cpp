@@ -15,7 +15,7 @@ namespace rotordrop {
 namespace {
 
 /// Housing and fit against the bearing.
-void look_at_housing(const std::string& name, const TouchdownParameters& b, const Node& table,
+void look_at_housing(const std::string& name, const TouchdownParameters& b, GrowthSource expansion, const Node& table,
                      std::vector<Fault>& warnings) {
   constexpr double shortest = 0.3, widest = 5., tightest = 2e-3;  // estimates
   const double outside = b.outer_ring_diameters[1];
@@ -35,6 +35,17 @@ void look_at_housing(const std::string& name, const TouchdownParameters& b, cons
                      "tenth of a percent at most.",
                      name, b.housing_fit * 1e6, 100. * b.housing_fit / outside, mm(outside)),
          "It is by radius. A bare number is in metres: 20 um are 20e-6.");
+  else if (b.housing_fit != 0. && expansion != GrowthSource::elastic)
+    warn(warnings, position_of_value(table, "housing_fit"),
+         fmt::format("bearings.{}.housing_fit does not count: thermal.expansion takes ring and housing as one body.",
+                     name),
+         "It is part of thermal.expansion = \"elastic\".");
+  if (is_soft(b.support) && expansion == GrowthSource::elastic)
+    warn(warnings, position_of_value(table_at(table, "support"), "type"),
+         fmt::format("the outer ring of bearings.{} is carried by {} {}, but elasticity lets it grow as if it sat in "
+                     "its housing.",
+                     name, b.support.type == "elastomer" ? "an" : "a", b.support.type),
+         "thermal.expansion = \"formula\" lets it grow by itself.");
 }
 
 /// Clearance by ISO 5753: that of class 5, by radius, is 18 um in a bore of 10 mm and 50 um in one of 70 mm.
@@ -125,7 +136,7 @@ bool follows_heat_to_housings(const CaseParameters& p, const Node& tree) {
 void look_at_conduction(const std::string& name, const TouchdownParameters& b, const CaseParameters& p,
                         const Node& tree, std::vector<Fault>& warnings) {
   const std::string& type = b.support.type;
-  if (p.thermal.models.empty() || (type != "elastomer" && type != "ribbon" && type != "squeeze-film")) return;
+  if (p.thermal.models.empty() || !is_soft(b.support)) return;
   if (tree.find("thermal") && table_at(tree, "thermal").has("fit_resistance")) return;
   const Node& bearing = table_at(tree, "bearings", name);
   warn(
@@ -180,7 +191,7 @@ void look_at_fits(const CaseParameters& p, const Node& tree, std::vector<Fault>&
   for (const auto& entry : p.bearings)
     if (const auto* b = entry.touchdown()) {
       const Node& table = table_at(tree, "bearings", entry.name);
-      look_at_housing(entry.name, *b, table, warnings);
+      look_at_housing(entry.name, *b, p.thermal.expansion, table, warnings);
       look_at_clearance(entry.name, *b, table, warnings);
       look_at_contacts(entry.name, *b, p, tree, warnings);
       look_at_wall(entry.name, *b, p, tree, warnings);
@@ -198,6 +209,10 @@ std::vector<Fault> look_at_preload(const CaseParameters& p, const Node& tree) {
   if (p.thermal.driver == no_driver || p.thermal.driver == recorded_driver)
     warn(warnings, position_of_value(thermal, "driver"),
          fmt::format("thermal.driver = \"{}\" is not for `preload`.", p.thermal.driver), feeds_back);
+  if (p.thermal.expansion == GrowthSource::elastic && p.preload.model == "lumped")
+    warn(warnings, position_of_value(thermal, "expansion"),
+         "thermal.expansion = \"elastic\" does not count: preload.model = \"lumped\" grows by formulas.",
+         "preload.model = \"fe\" takes the growth from elasticity.");
   for (const auto& entry : p.bearings) {
     const auto* b = entry.touchdown();
     if (b && !follows_heat_to_housings(p, tree)) look_at_conduction(entry.name, *b, p, tree, warnings);
