@@ -224,7 +224,8 @@ class Pair:
         strip = i if self.rolls else (i / self.R4 + b / R5) / (1 / self.R4 + 1 / R5)
         raceway = i + self.on_strips * (strip - i)
         mean = lambda r_in, r_out, T_in, T_out: (T_in * (2 * r_in + r_out) + T_out * (2 * r_out + r_in)) / (3 * (r_in + r_out))
-        growth = even(mean(BORE / 2, INNER / 2, i, raceway), mean(OUTER / 2, HOUSING / 2, o, h), b)
+        ring, housing = (disc(OUTSIDE) - disc(OUTER)) * WIDTH, (disc(HOUSING) - disc(OUTSIDE)) * LENGTH  # one body: its mean rise
+        growth = even(mean(BORE / 2, INNER / 2, i, raceway), (ring * o + housing * h) / (ring + housing), b)
         growth.outer_strain = ALPHA * o  # the housing does not hold the ring along the axis
         return growth + self.speed_growth
 

@@ -18,7 +18,8 @@ GrowthPerRise growth_per_rise(const GrowthDimensions& d, double constraint) {
           .shaft = d.shaft_expansion * d.shaft_radius,
           .ball = d.ball_expansion * d.ball_radius,
           .inner_width = alpha * d.races.width,
-          .outer_width = alpha * d.races.width};
+          .outer_width = alpha * d.races.width,
+          .is_housed = d.is_housed};
 }
 
 }  // namespace rotordrop

@@ -20,15 +20,17 @@ struct GrowthDimensions {
   double ring_expansion = 0, ball_expansion = 0, shaft_expansion = 0;  ///< alpha [1/K]
   double shaft_radius = 0, bore_radius = 0, ball_radius = 0;           ///< [m]
   RaceSurfaces races;
+  bool is_housed = true;  ///< the outer ring sits in its housing, which holds it
 };
 
 /// Growth of a bearing's surfaces per kelvin of the mean temperature of the part that carries them [m/K]: alpha times the radius, or the width.
 struct GrowthPerRise {
   double bore = 0, inner_race = 0;  ///< per rise of the inner ring
-  double outer_race = 0;            ///< per rise of the outer ring, or of outer ring and housing together
+  double outer_race = 0;  ///< per mean rise of outer ring and housing together, or of a ring that is not housed
   double shaft = 0, ball = 0;
   double inner_width = 0;  ///< per rise of the inner ring
   double outer_width = 0;  ///< per rise of the outer ring itself
+  bool is_housed = true;   ///< which rise the outer race's is of
 };
 /// @param constraint  1 for free rings, 1 + nu for rings under plane strain
 GrowthPerRise growth_per_rise(const GrowthDimensions& dimensions, double constraint = 1.);

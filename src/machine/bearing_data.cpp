@@ -111,6 +111,10 @@ BearingCircuitData circuit_data(const MachineParameters& p, const std::string& n
   if (name == p.single.heated) c.ball_conduction = p.single.ball_conduction;
   if (t.spreading == RacewaySpreading::strip) c.strips = raceway_strips(p, b);
   c.plane_strain_growth = t.plane_strain_growth;
+  using Growth = BearingCircuitData::OuterGrowth;
+  c.outer_growth = t.expansion == GrowthSource::paper ? Growth::profile
+                   : is_soft(b.support)               ? Growth::ring
+                                                      : Growth::joined;
   c.shaft_ring_link = t.shaft_ring_link;
   c.factors = b.circuit;
   c.gap_resistance =

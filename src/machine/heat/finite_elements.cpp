@@ -54,6 +54,7 @@ AdiabaticSection adiabatic_section(const FiniteElements::Section& s) {
   // What enters at the outer raceway first warms the outer ring alone.
   GrowthPerRise growth = s.formula;
   growth.outer_width *= outer / outer_ring;
+  if (!growth.is_housed) growth.outer_race *= outer / outer_ring;
   return {s.name, capacity("inner_ring"), shaft.node ? p.nodes[*shaft.node].capacity : capacity("shaft"), outer,
           growth};
 }
@@ -93,9 +94,11 @@ Expansion growth_of(FiniteElements::Section& s) {
   const double inner = s.solver->body_mean(body_index(p.bodies, "inner_ring")) - zero;
   const std::size_t ring = body_index(p.bodies, "outer_ring"), housing = body_index(p.bodies, "housing");
   const double outer_ring = s.solver->body_mean(ring) - zero;
-  const double outer = (s.solver->body_capacity(ring) * outer_ring +
-                        s.solver->body_capacity(housing) * (s.solver->body_mean(housing) - zero)) /
-                       s.adiabatic.outer_capacity;
+  const double outer = s.formula.is_housed
+                           ? (s.solver->body_capacity(ring) * outer_ring +
+                              s.solver->body_capacity(housing) * (s.solver->body_mean(housing) - zero)) /
+                                 s.adiabatic.outer_capacity
+                           : outer_ring;
   const double shaft_rise =
       (shaft < p.bodies.size() ? s.solver->body_mean(shaft) : s.solver->port_temperature(shaft_port)) - zero;
   return {.shaft = s.formula.shaft * shaft_rise,

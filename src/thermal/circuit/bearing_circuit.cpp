@@ -1,5 +1,6 @@
 #include "thermal/circuit/bearing_circuit.h"
 
+#include <array>
 #include <cmath>
 
 #include "laws/heat/strip_spreading.h"
@@ -57,9 +58,33 @@ CircuitResistances circuit_resistances(const BearingCircuitData& b) {
 }
 
 GrowthDimensions growth_dimensions(const BearingCircuitData& b) {
-  return {b.ring.expansion,      b.ball.expansion, b.shaft.expansion, b.journal_radius, 0.5 * b.inner_bore,
-          0.5 * b.ball_diameter, b.races};
+  return {b.ring.expansion,
+          b.ball.expansion,
+          b.shaft.expansion,
+          b.journal_radius,
+          0.5 * b.inner_bore,
+          0.5 * b.ball_diameter,
+          b.races,
+          b.outer_growth != BearingCircuitData::OuterGrowth::ring};
 }
+
+namespace {
+
+/// Growth of the outer raceway per rise of the outer ring's node and of the housing's [m/K].
+std::array<double, 2> outer_race_growth(const BearingCircuitData& b, double ring_volume, double housing_volume,
+                                        double constraint) {
+  using Growth = BearingCircuitData::OuterGrowth;
+  if (b.outer_growth == Growth::profile) {
+    const auto u =
+        ring_growth(b.ring.expansion, 0.5 * b.outer_bore, 0.5 * b.housing_outside, b.races.outer, constraint);
+    return {u.per_rise_inside, u.per_rise_outside};
+  }
+  const double whole = constraint * b.ring.expansion * b.races.outer;
+  const double of_ring = b.outer_growth == Growth::ring ? 1. : ring_volume / (ring_volume + housing_volume);
+  return {of_ring * whole, (1. - of_ring) * whole};
+}
+
+}  // namespace
 
 void add_bearing_circuit(const BearingCircuitData& b, ThermalNetworkData& network) {
   using std::numbers::pi;
@@ -77,8 +102,9 @@ void add_bearing_circuit(const BearingCircuitData& b, ThermalNetworkData& networ
   const double C_s = b.shaft.volumetric_capacity() * b.shaft_section() * b.shaft_length;
   const double C_i = f.inner_ring_capacity * b.ring_mass * b.ring.heat_capacity;
   const double C_b = Z * pi / 6. * std::pow(b.ball_diameter, 3) * b.ball.volumetric_capacity();
-  const double C_o = f.outer_ring_capacity * volumetric * sleeve(b.outer_bore, b.outer_outside) * W;
-  const double C_h = f.housing_capacity * volumetric * sleeve(b.housing_bore, b.housing_outside) * b.housing_length;
+  const double V_o = sleeve(b.outer_bore, b.outer_outside) * W,
+               V_h = sleeve(b.housing_bore, b.housing_outside) * b.housing_length;
+  const double C_o = f.outer_ring_capacity * volumetric * V_o, C_h = f.housing_capacity * volumetric * V_h;
 
   const CircuitResistances R = circuit_resistances(b);
   const double R5 = R.R5_inside + R.R5_constriction, R8 = R.R8_ring + R.R8_fit + R.R8_housing;
@@ -123,12 +149,11 @@ void add_bearing_circuit(const BearingCircuitData& b, ThermalNetworkData& networ
   network.places.push_back({s, i, ci, co, b.balls_roll ? ball : std::string{}, f.ball});
 
   const double constraint = b.plane_strain_growth ? 1. + b.ring.poisson_ratio : 1.;
-  const double a_i = 0.5 * b.inner_bore, b_i = 0.5 * b.inner_outside, a_o = 0.5 * b.outer_bore,
-               b_o = 0.5 * b.housing_outside;
+  const double a_i = 0.5 * b.inner_bore, b_i = 0.5 * b.inner_outside;
   const auto grow = [&](double Expansion::*surface, const std::string& node, double coefficient) {
     network.growths.push_back({place, surface, node, coefficient});
   };
-  // Two nodes make a linear profile over the wall: of the inner ring, and of outer ring and housing together.
+  // Two nodes make a linear profile over the inner ring's wall.
   const GrowthPerRise whole = growth_per_rise(growth_dimensions(b), constraint);
   // With spreading the contact's node is a strip: the ring grows with the mean of its raceway, which is on the way from the ring to the strips.
   const double on_strips = R.R4 / (R.R4 + R.R4_spreading);
@@ -139,9 +164,9 @@ void add_bearing_circuit(const BearingCircuitData& b, ThermalNetworkData& networ
   };
   grow_inner(&Expansion::bore, a_i);
   grow_inner(&Expansion::inner_race, b.races.inner);
-  const auto outer_race = ring_growth(b.ring.expansion, a_o, b_o, b.races.outer, constraint);
-  grow(&Expansion::outer_race, o, outer_race.per_rise_inside);
-  grow(&Expansion::outer_race, h, outer_race.per_rise_outside);
+  const auto [of_ring, of_housing] = outer_race_growth(b, V_o, V_h, constraint);
+  grow(&Expansion::outer_race, o, of_ring);
+  if (of_housing != 0.) grow(&Expansion::outer_race, h, of_housing);
   grow(&Expansion::shaft, s, whole.shaft);
   grow(&Expansion::ball, ball, whole.ball);
   if (b.races.width == 0.) return;

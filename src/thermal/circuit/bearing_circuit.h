@@ -55,6 +55,12 @@ struct BearingCircuitData {
   };
   std::optional<Strips> strips;
   bool plane_strain_growth = false;  ///< growth times (1 + nu)
+  /// What the outer raceway grows with in the circuit. Finite elements know the means only.
+  enum class OuterGrowth {
+    profile,  ///< linear from the ring's node at the raceway to the housing's at its outside (Neisi 2019, eq. 26)
+    joined,   ///< mean of ring and housing over their volume: a ring in its fit
+    ring      ///< a ring that a soft support carries: the housing does not hold it
+  } outer_growth = OuterGrowth::joined;
   enum class Link { permanent, in_contact } shaft_ring_link = Link::permanent;
   double gap_resistance = 0;  ///< of Link::in_contact, when apart [K/W]
   std::vector<FinNode> fins;  ///< shaft beside the bearing, both sides; none: the shaft ends with its lump

@@ -28,10 +28,11 @@ std::array<std::vector<double>, growth_surfaces.size()> growth_of_means(const Re
                                                                         const GrowthPerRise& g) {
   const auto& inner = find(heat.bodies, "inner_ring").shape;
   const auto &outer = find(heat.bodies, "outer_ring"), &housing = find(heat.bodies, "housing");
-  std::vector<double> outside(heat.n_modes());
-  for (std::size_t i = 0; i < outside.size(); ++i)
-    outside[i] =
-        (outer.capacity * outer.shape[i] + housing.capacity * housing.shape[i]) / (outer.capacity + housing.capacity);
+  std::vector<double> outside = outer.shape;
+  if (g.is_housed)
+    for (std::size_t i = 0; i < outside.size(); ++i)
+      outside[i] =
+          (outer.capacity * outer.shape[i] + housing.capacity * housing.shape[i]) / (outer.capacity + housing.capacity);
   const bool is_lump =
       std::any_of(heat.nodes.begin(), heat.nodes.end(), [](const auto& o) { return o.name == "shaft"; });
   return {times(g.shaft, find(is_lump ? heat.nodes : heat.bodies, "shaft").shape),

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "thermal/circuit/adiabatic_rises.h"
@@ -47,6 +48,29 @@ TEST(ReducedSections, ConductsBetweenItsBodies) {
   EXPECT_NEAR(growth[0].inner_race, 2e-6 * 7., 1e-17) << "m: inner ring 7 K, the rest 0";
   EXPECT_NEAR(growth[0].outer_race, 0., 1e-17);
   EXPECT_NEAR(model.stored_energy(y), 30. * 7., 1e-10) << "J";
+}
+
+TEST(ReducedSections, LetsARingGrowByItselfThatItsHousingDoesNotHold) {
+  auto sections = one(two_lumps());
+  auto& bodies = sections[0].heat.bodies;
+  const auto body = [&](const char* name) {
+    return std::find_if(bodies.begin(), bodies.end(), [&](const auto& b) { return b.name == name; });
+  };
+  ASSERT_NE(body("outer_ring"), bodies.end());
+  body("outer_ring")->shape[0] *= 2.;  // warmer than the housing
+  sections[0].growth.is_housed = false;
+  const ReducedSections alone(sections, ambient);
+  sections[0].growth.is_housed = true;
+  const ReducedSections housed(sections, ambient);
+  std::vector<double> y(2, ambient);
+  y[0] += 1.;
+  std::vector<Expansion> growth(1);
+  alone.growth(y, growth);
+  const double ring = body("outer_ring")->shape[0], housing = body("housing")->shape[0];
+  EXPECT_NEAR(growth[0].outer_race, 3e-6 * ring, 1e-17) << "m";
+  housed.growth(y, growth);
+  const double C_o = body("outer_ring")->capacity, C_h = body("housing")->capacity;
+  EXPECT_NEAR(growth[0].outer_race, 3e-6 * (C_o * ring + C_h * housing) / (C_o + C_h), 1e-17) << "m";
 }
 
 TEST(ReducedSections, ShowsSurfacesWithWhatTheModesLeaveOut) {

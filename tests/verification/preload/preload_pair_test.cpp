@@ -42,20 +42,20 @@ TEST(PreloadOfThePair, OperatingPointsAreThoseOfThePeer) {
     double heat, preload, ball_load, pressure, gain, eigenvalue;
     std::array<double, 5> rise;
   };
-  const std::array<Line, 2> peer = {{{21.29831254,
-                                      459.795309,
-                                      46.2662084,
-                                      7.556844e+08,
-                                      0.273174,
-                                      -9.2162332e-04,
-                                      {12.9413162, 13.1220801, 11.0751373, 11.9516604, 11.835225}},
-                                     {183.98701494,
-                                      3560.985317,
-                                      363.1802855,
-                                      1.501850e+09,
-                                      1.827824,
-                                      1.0655827e-03,
-                                      {96.4313991, 97.77835, 77.8807375, 78.4362095, 77.2220077}}}};
+  const std::array<Line, 2> peer = {{{21.49337660,
+                                      465.676694,
+                                      46.8606809,
+                                      7.589072e+08,
+                                      0.283685,
+                                      -9.1455128e-04,
+                                      {13.0518690, 13.2341771, 11.1673376, 12.0482474, 11.9306375}},
+                                     {177.42526336,
+                                      3459.612572,
+                                      352.7829914,
+                                      1.487379e+09,
+                                      1.813546,
+                                      1.0712929e-03,
+                                      {93.2258606, 94.5280366, 75.3737373, 76.0160907, 74.8483608}}}};
   const Case c = reference({"preload.speed=4000 rpm"});
   const auto loop = loop_of(c);
   const auto found = find_operating_points(*loop, preload_limits(c.parameters.preload));
@@ -88,9 +88,9 @@ TEST(PreloadOfThePair, CriticalSpeedPreloadAndCoolingAreThoseOfThePeer) {
   const auto cooling = find_critical_factor([&](double f) { return loop_of(c, {.cooling = f}); }, 0.5, limits);
   ASSERT_TRUE(speed && preload && cooling);
   // The search ends within 1e-4.
-  EXPECT_NEAR(speed->factor * 3000., 5546.859, 1.1e-4 * 5547.) << "rpm";
-  EXPECT_NEAR(preload->factor * 290., 1128.8838, 1.1e-4 * 1129.) << "N";
-  EXPECT_NEAR(cooling->factor, 0.062334, 1.1e-4 * 0.0623);
+  EXPECT_NEAR(speed->factor * 3000., 5478.458, 1.1e-4 * 5478.) << "rpm";
+  EXPECT_NEAR(preload->factor * 290., 1101.2653, 1.1e-4 * 1101.) << "N";
+  EXPECT_NEAR(cooling->factor, 0.063372, 1.1e-4 * 0.0634);
   EXPECT_EQ(cooling->by, CriticalFactor::By::limit) << "150 degC come first";
   for (const auto& critical : {speed, preload}) {
     EXPECT_EQ(critical->by, CriticalFactor::By::loop);
@@ -106,7 +106,7 @@ TEST(PreloadOfThePair, RunsAwayWhenThePeerDoes) {
     double time, preload;
   };
   for (const auto& [speed, time, preload] :
-       {Line{"6000 rpm", 7817.571738, 5180.96889}, Line{"15200 rpm", 219.251445, 7145.33869}}) {
+       {Line{"6000 rpm", 6963.801350, 5371.64481}, Line{"15200 rpm", 176.545354, 8886.22935}}) {
     const Case c = reference({std::string("preload.speed=") + speed, "preload.tolerance=1e-10"});
     const auto loop = loop_of(c);
     const auto course = follow_preload(*loop, c.parameters.preload, "/");

@@ -13,8 +13,8 @@
 //   x: i takes q_b - H_i = share H_r + (T_s - T_i)/(R2 + R3), and s:  (1 - share) H_r = (T_s - T_amb)/R1 + (T_s - T_i)/(R2 + R3).
 // The last two give T_s and H_r.
 //
-// GROWTH. Free rings: alpha r times the volume-mean rise of a linear profile, here by quadrature; inner ring from the i node (bore) to ci (race), outer ring with housing
-// from o (race) to h (outside). ci's temperature without its own heat is the mean of i and b weighted by 1/R4 and 1/R5.
+// GROWTH. Free rings: alpha r times the volume-mean rise; of the inner ring of a linear profile, here by quadrature, from the i node (bore) to ci (race); of outer ring and
+// housing, one body in a fit, of their volumes. By the paper's equation (26) of a linear profile from o (race) to h (outside); of a ring on a soft support o alone. ci's temperature without its own heat is the mean of i and b weighted by 1/R4 and 1/R5.
 #include "thermal/circuit/bearing_circuit.h"
 
 #include <gtest/gtest.h>
@@ -324,14 +324,26 @@ TEST(BearingCircuit, GrowsByTheVolumeMeanRise) {
       for (const double r : {m - w, m + w}) sum += (T1 + (T2 - T1) * (r - a) / (e - a) - ambient) * r * 0.5 * (e - a);
       return 2. * sum / (e * e - a * a);
     };
-    const double inner = mean_rise(b.inner_bore, b.inner_outside, T[1], T_ci),
-                 outer = mean_rise(b.outer_bore, b.housing_outside, T[3], T[4]);
+    const double inner = mean_rise(b.inner_bore, b.inner_outside, T[1], T_ci);
+    const auto square = [](double d) { return d * d; };
+    const double ring = (square(b.outer_outside) - square(b.outer_bore)) * b.width,
+                 housing = (square(b.housing_outside) - square(b.housing_bore)) * b.housing_length,
+                 outer = (ring * (T[3] - ambient) + housing * (T[4] - ambient)) / (ring + housing);
     EXPECT_NEAR(growth.bore, 11.8e-6 * 35e-3 * inner, 1e-16) << "m";
     // Where a ball touches: d_m / 2 -+ d / 2 cos phi; of TB1 45 -+ 5.953 mm, of TB2 42.5 mm -+ 4.7625 mm cos 25 degrees.
     const bool is_first = b.name == "TB1";
     const double projected = is_first ? 5.953e-3 : 4.7625e-3 * 0.9063077870366499, middle = is_first ? 45e-3 : 42.5e-3;
     EXPECT_NEAR(growth.inner_race, 11.8e-6 * (middle - projected) * inner, 1e-16) << "m";
     EXPECT_NEAR(growth.outer_race, 11.8e-6 * (middle + projected) * outer, 1e-16) << "m";
+    using Growth = BearingCircuitData::OuterGrowth;
+    for (const auto& [by, rise] : {std::pair{Growth::profile, mean_rise(b.outer_bore, b.housing_outside, T[3], T[4])},
+                                   std::pair{Growth::ring, T[3] - ambient}}) {
+      auto other = b;
+      other.outer_growth = by;
+      Expansion found;
+      ThermalNetwork(data_of(other)).growth(T, {&found, 1});
+      EXPECT_NEAR(found.outer_race, 11.8e-6 * (middle + projected) * rise, 1e-16) << "m";
+    }
     EXPECT_NEAR(growth.inner_width, 11.8e-6 * b.width * inner, 1e-16) << "m";
     EXPECT_NEAR(growth.outer_width, 11.8e-6 * b.width * (T[3] - ambient), 1e-16) << "m: the outer ring's own";
     EXPECT_NEAR(growth.shaft, 11.8e-6 * 34.75e-3 * (T[0] - ambient), 1e-16) << "m";
