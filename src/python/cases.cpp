@@ -14,11 +14,11 @@ namespace py = pybind11;
 namespace {
 
 Case read_from(const std::filesystem::path& file, const py::object& text, const py::object& tree,
-               const py::dict& overrides, const std::filesystem::path& folder) {
+               const std::vector<py::dict>& layers, const std::filesystem::path& folder) {
   GivenCase given{file, {}, {}, folder};
   if (!text.is_none()) given.text = text.cast<std::string>();
   if (!tree.is_none()) given.tree = to_node(tree, "");
-  const auto settings = to_settings(overrides);
+  const auto settings = to_settings(layers);
   const OthersMayRun others_may_run;
   return read_given_case(given, settings);
 }
@@ -43,7 +43,7 @@ void add_cases(py::module_& core) {
                              })
       .def_property_readonly("asks_for_second_opinion", [](const Case& c) { return c.parameters.run.second_opinion; })
       .def_property_readonly("initial_speed", [](const Case& c) { return c.parameters.run.initial_speed; });
-  core.def("read_case", &read_from, py::arg("file"), py::arg("text"), py::arg("tree"), py::arg("overrides"),
+  core.def("read_case", &read_from, py::arg("file"), py::arg("text"), py::arg("tree"), py::arg("layers"),
            py::arg("folder"));
 }
 

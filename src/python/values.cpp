@@ -103,15 +103,16 @@ Node to_node(const py::handle& value, const std::string& key, std::size_t depth)
                    "Give a number (SI), a text with a unit such as \"250 um\", True or False, a list or a dictionary.");
 }
 
-std::vector<Setting> to_settings(const py::dict& overrides) {
+std::vector<Setting> to_settings(const std::vector<py::dict>& layers) {
   std::vector<Setting> settings;
-  for (const auto& [key, value] : overrides) {
-    if (!PyUnicode_Check(key.ptr()))
-      throw InputError({}, fmt::format("the key {} of the overrides is no text.", std::string(py::repr(key))),
-                       "Write {\"contact.friction_coefficient\": 0.05}.");
-    const auto name = key.cast<std::string>();
-    settings.push_back({name, to_node(value, name)});
-  }
+  for (const auto& overrides : layers)
+    for (const auto& [key, value] : overrides) {
+      if (!PyUnicode_Check(key.ptr()))
+        throw InputError({}, fmt::format("the key {} of the overrides is no text.", std::string(py::repr(key))),
+                         "Write {\"contact.friction_coefficient\": 0.05}.");
+      const auto name = key.cast<std::string>();
+      settings.push_back({name, to_node(value, name)});
+    }
   return settings;
 }
 

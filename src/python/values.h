@@ -20,8 +20,8 @@ pybind11::object to_python(const nlohmann::ordered_json& value);
 /// @throws InputError for anything else, and for lists and dictionaries that nest as deep as no file may
 Node to_node(const pybind11::handle& value, const std::string& key, std::size_t depth = 0);
 
-/// A dictionary of parameters, such as {"contact.friction_coefficient": 0.05}.
-std::vector<Setting> to_settings(const pybind11::dict& overrides);
+/// Dictionaries of parameters, such as {"contact.friction_coefficient": 0.05}, in the order in which they are laid over a case.
+std::vector<Setting> to_settings(const std::vector<pybind11::dict>& layers);
 
 /// How places of values that a program has given begin.
 inline constexpr const char* given_mark = "given ";

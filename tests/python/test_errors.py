@@ -75,6 +75,11 @@ class Faults(PackageTest):
         together = found({"contact.air_gap": "200 um"}, {"contact": {"friction_coefficient": 0.2}})["contact"]
         self.assertEqual((together["air_gap"], together["friction_coefficient"]), ("200 um", 0.2))
         self.assertEqual(together["friction_law"], found()["contact"]["friction_law"])
+        self.assertEqual(found({"contact": {"air_gap": "200 um"}}, {"contact": {"friction_coefficient": 0.2}})["contact"], together)
+        rings = found({"bearings": {"TB1": {"ring_mass": 0.2}}}, {"bearings": {"TB2": {"ring_mass": 0.22}}}, {"bearings": {"TB1": {"f2": 0.3}}})["bearings"]
+        self.assertEqual((rings["TB1"]["ring_mass"], rings["TB2"]["ring_mass"], rings["TB1"]["f2"]), (0.2, 0.22, 0.3))
+        mixed = found({"contact": {"air_gap": "200 um", "friction_coefficient": 0.2}}, {"contact.air_gap": "250 um"}, {"contact": {"friction_coefficient": 0.1}})
+        self.assertEqual((mixed["contact"]["air_gap"], mixed["contact"]["friction_coefficient"]), ("250 um", 0.1))
         # Also against an entry of a list, which the new list need not have.
         unbalance = {"rotor.unbalance": [{"node": 16, "me": 1e-6}]}
         for entry in ("rotor.unbalance[0].me", "rotor.unbalance[1].me"):
@@ -82,6 +87,16 @@ class Faults(PackageTest):
             self.assertEqual([one["me"] for one in found(older, unbalance)["rotor"]["unbalance"]], [1e-6])
         self.assertEqual(found({"rotor.unbalance[0].me": 9e-6}, {"rotor": {"unbalance": unbalance["rotor.unbalance"]}})["rotor"]["unbalance"][0]["me"], 1e-6)
         self.assertEqual(found(unbalance, {"rotor.unbalance[0].me": 9e-6})["rotor"]["unbalance"][0]["me"], 9e-6)
+
+    def test_layers_of_overrides_are_pickled_and_do_not_pile_up(self):
+        case = rd.Case(SETTLING, {"run": {"end_time": "20 ms"}}).with_overrides({"run": {"initial_speed": "8000 rpm"}})
+        self.assertEqual(pickle.loads(pickle.dumps(case)).parameters["run"], case.parameters["run"])
+        n_bytes = []
+        for k in range(1, 4):
+            case = case.with_overrides({"run": {"end_time": f"{k} ms"}, "contact.air_gap": f"20{k} um"})
+            n_bytes.append(len(pickle.dumps(case)))
+        self.assertEqual(len(set(n_bytes)), 1, n_bytes)
+        self.assertEqual((case.parameters["run"]["end_time"], case.parameters["run"]["initial_speed"]), ("3 ms", "8000 rpm"))
 
     def test_files_are_beside_what_names_them_wherever_the_program_is_later(self):
         (self.folder / "own").mkdir()

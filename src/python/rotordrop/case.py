@@ -63,6 +63,17 @@ class Case:
         name: str = "case",
         folder: str | os.PathLike[str] | None = None,
     ) -> None:
+        self._read(source, [dict(overrides or {})], name, folder)
+        warn_of(self.warnings)
+
+    def _read(
+        self,
+        source: str | os.PathLike[str] | Mapping[str, typing.Any],
+        layers: Sequence[dict[str, typing.Any]],
+        name: str,
+        folder: str | os.PathLike[str] | None,
+    ) -> None:
+        """layers   of overrides, later ones go before earlier ones"""
         self._name, self._folder = name, os.path.abspath(folder or ".")
         text: str | None = None
         tree: dict[str, typing.Any] | None = None
@@ -75,16 +86,15 @@ class Case:
             file = pathlib.Path(source)
         # What is read again later is what was given now, wherever the program is by then.
         again = source if tree is not None or text is not None else file.absolute()
-        self._case = _core.read_case(file, text, tree, dict(overrides or {}), self._folder)
-        self._source, self._overrides = copy.deepcopy(again), copy.deepcopy(dict(overrides or {}))
-        warn_of(self.warnings)
+        self._case = _core.read_case(file, text, tree, layers, self._folder)
+        self._source, self._layers = copy.deepcopy(again), copy.deepcopy([layer for layer in layers if layer])
 
     def __repr__(self) -> str:
         supports = ", ".join(f"{name} ({kind})" for name, kind in self._case.bearings.items())
         return f"<rotordrop.Case {self.name}: {supports}>"
 
     def __reduce__(self) -> tuple[typing.Any, ...]:
-        return _read_again, (self._source, self._overrides, self._name, self._folder)
+        return _read_again, (self._source, self._layers, self._name, self._folder)
 
     @property
     def name(self) -> str:
@@ -112,9 +122,12 @@ class Case:
         return self._case.warnings
 
     def with_overrides(self, overrides: Mapping[str, typing.Any]) -> Case:
-        """The same case with further overrides, which go before its own. Files are read again, as by pickle and copy."""
-        own = {key: value for key, value in self._overrides.items() if key not in overrides}
-        return Case(self._source, {**own, **overrides}, name=self._name, folder=self._folder)
+        """The same case with further overrides, which go before its own; dictionaries leave what they do not set. Files are read again, as by pickle and copy."""
+        own = [{key: value for key, value in layer.items() if not (key in overrides and _replaces(overrides[key], value))} for layer in self._layers]
+        case = Case.__new__(Case)
+        case._read(self._source, [*own, dict(overrides)], self._name, self._folder)
+        warn_of(case.warnings)
+        return case
 
     def run(
         self,
@@ -209,7 +222,14 @@ class Case:
         return preload.Preload(report, tables)
 
 
-def _read_again(source: typing.Any, overrides: dict[str, typing.Any], name: str, folder: typing.Any) -> Case:
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore", CaseWarning)
-        return Case(source, overrides, name=name, folder=folder)
+def _replaces(later: typing.Any, earlier: typing.Any) -> bool:
+    """Whether an override leaves nothing of an earlier one by the same key. Dictionaries are laid over each other."""
+    if not hasattr(later, "items"):
+        return True
+    return hasattr(earlier, "items") and all(key in later and _replaces(later[key], value) for key, value in earlier.items())
+
+
+def _read_again(source: typing.Any, layers: list[dict[str, typing.Any]], name: str, folder: typing.Any) -> Case:
+    case = Case.__new__(Case)
+    case._read(source, layers, name, folder)
+    return case
