@@ -167,7 +167,7 @@ int study_command_of(const StudyCommand& command, Ranks* ranks) {
                again(command, options.directory));
     return 128 + static_cast<int>(*options.stop);
   }
-  if (options.resume && options.n_shards == 1 && renew_page(options.directory) && !command.quiet)
+  if (options.n_shards == 1 && renew_page(options.directory) && !command.quiet)
     fmt::print("{} is made again\n", (options.directory / "report.html").string());
   if (command.quiet) return 0;
   if (options.n_shards == 1)

@@ -113,6 +113,26 @@ class Studies(ProgramTest):
         self.study("whole", *long)
         self.assertEqual(self.bytes_of("out"), self.bytes_of("whole"))
 
+    def test_a_page_made_while_the_study_runs_is_made_again(self):
+        running = start("study", "s.toml", "-o", "out", "--jobs", "1", "--set", 'run.end_time="0.3 s"', cwd=self.folder)
+        self.addCleanup(running.communicate)
+        self.addCleanup(running.kill)
+        journal = self.folder / "out/study.journal"
+        for _ in range(2000):
+            time.sleep(0.01)
+            if journal.exists() and journal.read_text().count('"point"') > 0:
+                break
+        self.succeed("study", "report", "out")
+        page = self.folder / "out/report.html"
+        part = page.read_text()
+        self.assertIsNone(running.poll(), "the study ended before its page was made: make it longer")
+        told, _ = running.communicate(timeout=60)
+        self.assertIn("report.html is made again", told)
+        made = page.read_text()
+        self.assertNotEqual(made, part)
+        self.succeed("study", "report", "out")
+        self.assertEqual(page.read_text(), made)
+
     def test_shards_join_to_the_same_bits(self):
         self.study("whole")
         for i in (1, 2, 3):

@@ -30,7 +30,7 @@ std::filesystem::path journal_of_rank(const std::filesystem::path& directory, in
 /// @throws InputError if they are of another study
 void take_journals_of_ranks(const std::filesystem::path& directory, const std::string& header);
 
-/// Makes the page of a study again that lies in its directory: it shows an interrupted state, or other limits. @return whether there is one
+/// Makes the page of a complete study again that lies in its directory: it shows an unfinished state, or other limits. @return whether there is one
 bool renew_page(const std::filesystem::path& directory);
 /// Removes point-17, ... that `study rerun` has made of a study that is replaced: only files of the program, and folders that this leaves empty.
 void remove_rerun_points(const std::filesystem::path& directory);
