@@ -14,13 +14,12 @@
 #include "cli/commands.h"
 #include "cli/progress_line.h"
 #include "cli/signals.h"
-#include "io/own_files.h"
 #include "io/text/parameter_keys.h"
 #include "machine/balance.h"
 #include "machine/build_machine.h"
-#include "study/compare/comparison.h"
 #include "study/drop/drop_run.h"
 #include "study/drop/warning_summary.h"
+#include "study/finished_run.h"
 #include "study/heat/bearing_heat_run.h"
 #include "study/heat/heat_run.h"
 #include "study/rerun/rerun.h"
@@ -63,37 +62,6 @@ int check_heat_case(const std::filesystem::path& file, const std::vector<std::st
   fmt::print("{}: no errors found. Run it with `rotordrop heat`. Not checked: whether the mesh is fine enough{}.\n",
              file.string(), is_bearing_heat_case(file) ? ", and what only a drop needs" : "");
   return 0;
-}
-
-/// The comparison beside the results of a run with several thermal models.
-void compare_after_run(const RunCommand& command, const std::filesystem::path& directory, const RecordedDrop& drop) {
-  if (drop.bearings().empty() || drop.models().size() < 2) return;
-  Comparison comparison;
-  try {
-    comparison = compare_models(drop, nullptr, {});
-  } catch (const InputError& error) {
-    // The input was good: what came of it is not.
-    throw SolverError(std::string("the run is complete, but its thermal models cannot be compared.\n") + error.what());
-  }
-  write_comparison(comparison, directory / "comparison.json");
-  if (command.quiet) return;
-  for (const auto& line : comparison.report["in_short"]) fmt::print("{}\n", line.get<std::string>());
-}
-
-/// Pages of a run that was resumed show the interrupted one: the report is made again; of a comparison the measured values are elsewhere.
-void renew_pages(const std::filesystem::path& directory, bool quiet) {
-  if (is_own_page(directory / "report.html")) {
-    ReportCommand report;
-    report.directory = directory;
-    report.force = true;
-    report.quiet = quiet;
-    report_command(report);
-  }
-  if (is_own_page(directory / "measured.html"))
-    fmt::print(stderr,
-               "note: {} and measured.json are of the interrupted run; make them again with rotordrop compare {} "
-               "--measured FILE\n",
-               (directory / "measured.html").string(), shell_quoted(directory.string()));
 }
 
 /// What a quiet run still says: warnings, and why it ends with not_as_asked.
@@ -178,8 +146,11 @@ int run_command(const RunCommand& command) {
                options.directory.string());
   }
   if (result.completed) {
-    compare_after_run(command, options.directory, *result.recorded);
-    if (command.resume) renew_pages(options.directory, command.quiet);
+    const auto files = write_files_of_finished_run(options.directory, *result.recorded, command.resume, options.tell);
+    if (!command.quiet) {
+      for (const auto& sentence : files.comparison) fmt::print("{}\n", sentence);
+      if (!files.page.empty()) fmt::print("report of {} in {}\n", drop_case.name, files.page.string());
+    }
     return exit_code_of(command, summary_json(result.summary));
   }
   std::string again = fmt::format("rotordrop run {} -o {} --resume", shell_quoted(command.file.string()),

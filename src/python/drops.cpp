@@ -13,6 +13,7 @@
 #include "python/values.h"
 #include "python/watch.h"
 #include "study/drop/drop_run.h"
+#include "study/finished_run.h"
 #include "study/report/report.h"
 #include "study/result_names.h"
 
@@ -87,6 +88,7 @@ PythonRun run_in_folder(const Case& c, const std::filesystem::path& directory, b
     FinishedDrop run = run_drop(c, built.machine(), options);
     drop.summary = summary_json(run.summary);
     drop.is_completed = run.completed;
+    if (run.completed) write_files_of_finished_run(directory, *run.recorded, resume, options.tell);
     drop.recorded = std::make_shared<const RecordedDrop>(directory, c);  // all of its series
   }
   stoppable.raise();

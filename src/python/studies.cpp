@@ -54,6 +54,7 @@ py::dict run(const std::filesystem::path& file, const std::vector<std::string>& 
     probe_results(study, design, options.evaluate);
     if (const auto note = choose_lanes(study, design); !note.empty()) options.tell(note);
     outcome = study.is_search() ? run_search(study, options) : run_study(study, design, options);
+    if (outcome.is_complete) renew_page(options.directory);
   }
   stoppable.raise();
   py::dict told;

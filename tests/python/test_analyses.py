@@ -132,9 +132,13 @@ class Commands(PackageTest):
         overrides = {"run.end_time": "10 ms", "thermal.models": ["lumped", "fe"], "thermal.fe.section": "plain", "thermal.fe.degree": 1, "thermal.fe.refinement": 0.5}
         result = rd.Case(SETTLING, overrides).run(self.folder / "out")
         here = rd.compare(result)
+        written = json.loads((self.folder / "out/comparison.json").read_text())
+        self.assertEqual(written["in_short"], here["in_short"])
+        self.assertTrue((self.folder / "out/comparison.h5").is_file())
         done = call("compare", self.folder / "out", "--quiet")
         self.assertEqual(done.returncode, 0, done.stderr)
         program = json.loads((self.folder / "out/comparison.json").read_text())
+        self.assertEqual(written, program)
         same = {key: value for key, value in flat(here) if not key.startswith(("run", "drop", "against"))}
         self.assertEqual(same, {key: value for key, value in flat(program) if key in same})
         self.assertGreater(len(same), 100)

@@ -272,6 +272,32 @@ class Running(PackageTest):
             case.run(self.folder / "out", resume=True, progress=stop_soon)
         self.assertGreaterEqual(seen[0], reached - 1e-3)  # one row
 
+    def test_a_report_of_the_unfinished_run_is_made_again(self):
+        def stop(progress):
+            if progress.time > 0:
+                raise InterruptedError
+
+        case, page = rd.Case(SETTLING, {"run.end_time": "3 s", "output.interval": "1 ms"}), self.folder / "out/report.html"
+        with self.assertRaises(InterruptedError):
+            case.run(self.folder / "out", progress=stop)
+        part = rd.read(self.folder / "out").report().read_text(encoding="utf-8")
+        (self.folder / "out/measured.html").write_text(part, encoding="utf-8")
+        result = case.run(self.folder / "out", resume=True)
+        made = page.read_text(encoding="utf-8")
+        self.assertNotEqual(made, part)
+        self.assertEqual(result.report().read_text(encoding="utf-8"), made)
+        self.assertIn("measured.json are of the interrupted run", "".join(result.notes))
+        # Also one that was made while the run went on to its end, but not one of other results.
+        for name in ("results.h5", "summary.json", "measured.html"):
+            (self.folder / "out" / name).unlink()
+        page.write_text(part, encoding="utf-8")
+        os.utime(page, (0, 0))
+        short = rd.Case(SETTLING, SHORT)
+        short.run(self.folder / "out")
+        self.assertEqual(page.read_text(encoding="utf-8"), part)
+        short.run(self.folder / "out", force=True, progress=lambda _: page.write_text(part, encoding="utf-8"))
+        self.assertNotEqual(page.read_text(encoding="utf-8"), part)
+
     def test_python_ends_cleanly_while_a_thread_runs(self):
         done = subprocess.run([sys.executable, "-c", textwrap.dedent(f"""
             import threading, time

@@ -60,6 +60,7 @@ class Studies(PackageTest):
 
         def stop(progress):
             if progress.done > 0:
+                rd.StudyResult(self.folder / "out").report()
                 raise InterruptedError("enough")
 
         with self.assertRaisesRegex(InterruptedError, "enough"):
@@ -71,6 +72,8 @@ class Studies(PackageTest):
         result = rd.study(file, self.folder / "out", overrides, resume=True, progress=first.append)
         self.assertGreater(first[0].done, 0)
         self.assertEqual(len(result.table), 40)
+        page = (self.folder / "out/report.html").read_text(encoding="utf-8")
+        self.assertEqual(result.report().read_text(encoding="utf-8"), page, "it shows the complete study")
 
     def test_faults(self):
         file = self.write()

@@ -140,14 +140,14 @@ class Case:
     ) -> Result:
         """Runs the drop; other threads of Python run meanwhile. Ctrl-C ends it with KeyboardInterrupt.
 
-        directory   where it writes what `rotordrop run` writes, with checkpoints and temperature fields; without one it stays in memory
+        directory   where it writes what `rotordrop run` writes, with checkpoints, temperature fields and the comparison of its thermal models; without one it stays in memory
         progress    called about five times a second with a Progress; True: a line on standard error. What it raises ends the run
         keep        in memory: paths of the series to keep, such as "/bearings/TB1/contact_force", beside those that the summary needs;
                     without it all are kept; InputError for one that the drop does not have
         force       replaces results that are in the directory
         resume      continues an interrupted run in the directory
 
-        SolverError if the integration fails.
+        SolverError if the integration fails, or if its thermal models cannot be compared.
         """
         told = show_progress if progress is True else progress or None
         if directory is None:
