@@ -4,6 +4,7 @@
 #include <array>
 #include <fstream>
 #include <iterator>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
 #include <system_error>
@@ -46,13 +47,35 @@ bool is_own_json(const std::string& text) {
 
 bool is_own_journal(const std::string& text) { return text.find(R"( {"header":"{\"study\":\")") == 16; }
 
+/// Tables of a study: its points, and the measured series of its fit.
+bool is_own_csv(const std::string& text) {
+  const auto header = text.substr(0, text.find('\n'));
+  return (header.starts_with("point,") && header.find(",status,") != std::string::npos) ||
+         header.starts_with("# measured series in SI: number, unit");
+}
+
 }  // namespace
 
 bool is_own_results(const fs::path& file) {
   if (!is_file(file)) return false;
   const std::string text = beginning(file, 16384);
   if (file.extension() == ".h5") return is_own_hdf5(text);
+  if (file.extension() == ".csv") return is_own_csv(text);
   return file.extension() == ".journal" ? is_own_journal(text) : is_own_json(text);
+}
+
+std::string name_of_study(const fs::path& directory) {
+  using Json = nlohmann::json;
+  const fs::path journal = directory / "study.journal";
+  if (!is_own_results(journal)) return "";
+  std::string line;
+  std::ifstream file(journal);
+  std::getline(file, line);
+  const Json record = Json::parse(line.substr(line.find(' ')), nullptr, false);
+  if (!record.is_object() || !record.contains("header") || !record["header"].is_string()) return "";
+  const Json header = Json::parse(record["header"].get<std::string>(), nullptr, false);
+  const bool has_name = header.is_object() && header.contains("name") && header["name"].is_string();
+  return has_name ? header["name"].get<std::string>() : "";
 }
 
 bool is_hollow(const fs::path& file) {

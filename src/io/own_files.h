@@ -4,8 +4,11 @@
 
 namespace rotordrop {
 
-/// Whether a result file (.h5, .json, .journal) is the program's by what stands in it: someone else's may have that name, too. A link is not.
+/// Whether a result file (.h5, .json, .journal, .csv) is the program's by what stands in it: someone else's may have that name, too. A link is not.
 bool is_own_results(const std::filesystem::path& file);
+
+/// What the study is called whose journal lies in a directory; empty if that cannot be read.
+std::string name_of_study(const std::filesystem::path& directory);
 
 /// Whether a file holds nothing: no byte, or zeros at its beginning, as after a power cut.
 bool is_hollow(const std::filesystem::path& file);

@@ -30,7 +30,9 @@ constexpr std::array outdated{"summary.json", "comparison.json", "comparison.h5"
                               "study.h5",     "study.csv",       "study.json",    "shard.h5",      "measured.csv"};
 constexpr std::array pages{"measured.html", "report.html"};
 /// What else is written over.
-constexpr std::array replaced{"results.h5", "preload.h5", "preload.json", "study.toml", "case.toml"};
+constexpr std::array replaced{"results.h5", "preload.h5", "preload.json", "study.toml", "case.toml", "parameters.toml"};
+/// What shows that a directory is a study's.
+constexpr std::array of_study{"study.journal", "study.h5", "study.json", "shard.h5"};
 constexpr std::array folders{"checkpoints", "failed", "fields"};
 
 std::string reason(int error) { return std::generic_category().message(error); }
@@ -49,18 +51,32 @@ bool is_left_over(const std::string& name) {
   return std::regex_match(name, pattern);
 }
 
-/// Names of results that someone else's files have. What a power cut left empty is the program's where its other files are.
-void require_no_others(const fs::path& directory) {
+bool holds_study(const fs::path& directory) {
+  return std::any_of(of_study.begin(), of_study.end(),
+                     [&](const char* name) { return is_own_results(directory / name); });
+}
+
+/// Names of results that someone else's files have. What a power cut left empty is the program's where its other files are. Only studies write
+/// tables (.csv), study.toml and case.toml, and the latter two cannot be told from other inputs but by the study beside them. No study writes
+/// parameters.toml.
+void require_no_others(const fs::path& directory, ResultsFolder::Results kind) {
+  const bool is_study = kind == ResultsFolder::Results::of_study, has_study = holds_study(directory);
   const bool is_ours = holds_results(directory) || is_written_parameters(directory / "parameters.toml");
-  const auto is_known = [](const fs::path& file) { return file.extension() != ".csv" && file.extension() != ".toml"; };
+  const auto is_someone_elses = [&](const fs::path& file) {
+    if (!is_there(file) || (is_ours && is_hollow(file))) return false;
+    if (file.filename() == "parameters.toml") return !is_study && !is_written_parameters(file);
+    if (file.extension() == ".toml") return is_study && !has_study;
+    return !is_own_results(file) && (is_study || file.extension() != ".csv");
+  };
   const auto require = [&](const char* name) {
     const fs::path file = directory / name;
-    if (is_known(file) && is_there(file) && !is_own_results(file) && !(is_ours && is_hollow(file)))
+    if (is_someone_elses(file))
       throw InputError({file.string()}, "results would replace this file, but the program did not write it.",
                        "It is left as it is. Choose another directory with -o DIR, or give the file another name.");
   };
   for (const char* name : outdated) require(name);
-  for (const char* name : replaced) require(name);
+  for (const char* name : replaced)
+    if (holds_results(directory) || fs::path(name).extension() != ".toml") require(name);
 }
 
 /// What results would be written over, or into, in a directory that holds none.
@@ -97,14 +113,14 @@ void require_not_read(const fs::path& file) {
 void require_no_inputs(const fs::path& directory) {
   for (const char* name : outdated) require_not_read(directory / name);
   for (const char* name : pages) require_not_read(directory / name);
-  for (const char* name : replaced) require_not_read(directory / name);
-  if (!is_written_parameters(directory / "parameters.toml")) require_not_read(directory / "parameters.toml");
+  for (const fs::path name : replaced)
+    if (name != "parameters.toml" || !is_written_parameters(directory / name)) require_not_read(directory / name);
 }
 
 void remove_results(const fs::path& directory) {
   std::error_code error;
   for (const char* name : outdated)
-    if (!fs::is_directory(fs::symlink_status(directory / name, error))) fs::remove(directory / name, error);
+    if (is_own_results(directory / name) || is_hollow(directory / name)) fs::remove(directory / name, error);
   for (const char* name : pages)
     if (is_own_page(directory / name)) fs::remove(directory / name, error);
   static const std::regex journals(R"(rank-[0-9]+\.journal)");
@@ -129,13 +145,19 @@ bool holds_results(const fs::path& directory) {
                      [&](const char* file) { return is_own_results(directory / file); });
 }
 
-ResultsFolder::ResultsFolder(fs::path directory, Existing existing) : directory_(std::move(directory)) {
+ResultsFolder::ResultsFolder(fs::path directory, Existing existing, Results kind) : directory_(std::move(directory)) {
   const SourcePosition where{directory_.string(), 0, 0};
   const bool has_results = holds_results(directory_);
   if (has_results && existing == Existing::refuse)
     throw InputError(
         where, "the directory holds results already",
         "Choose another with -o DIR, replace them with --force, or go on with --resume if the run was interrupted.");
+  if (existing == Existing::replace && kind != Results::of_study && holds_study(directory_)) {
+    const std::string name = name_of_study(directory_);
+    throw InputError(where,
+                     name.empty() ? "the directory holds a study" : "the directory holds the study \"" + name + "\"",
+                     "Only a study replaces it with --force. Choose another directory with -o DIR.");
+  }
   std::error_code error;
   fs::create_directories(directory_, error);
   if (error) throw InputError(where, "the directory cannot be made: " + error.message());
@@ -153,7 +175,7 @@ ResultsFolder::ResultsFolder(fs::path directory, Existing existing) : directory_
   }
   try {
     if (has_results && existing == Existing::replace) require_no_inputs(directory_);
-    if (existing != Existing::resume) require_no_others(directory_);
+    if (existing != Existing::resume) require_no_others(directory_, kind);
     if (!has_results)
       for (const char* name : names_without_results(directory_))
         if (is_there(directory_ / name) && existing != Existing::resume)

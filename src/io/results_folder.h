@@ -18,14 +18,16 @@ class ResultsFolder {
     replace,  ///< they are removed
     resume    ///< they are kept
   };
+  /// What is written: a study has files that no other command writes, and is replaced by a study alone.
+  enum class Results { of_study, others };
   /// As options say it.
   static Existing existing_results(bool resume, bool force) {
     return resume ? Existing::resume : force ? Existing::replace : Existing::refuse;
   }
   /// Makes the directory if it does not exist.
   /// @throws InputError if it cannot be made or written into, if another process writes into it, if it holds results that must not be
-  /// replaced, or if it holds folders of someone else by the names that results need
-  ResultsFolder(std::filesystem::path directory, Existing existing);
+  /// replaced, or if it holds files or folders of someone else by the names that results need
+  ResultsFolder(std::filesystem::path directory, Existing existing, Results kind = Results::others);
   ResultsFolder(const ResultsFolder&) = delete;
   ResultsFolder& operator=(const ResultsFolder&) = delete;
   ~ResultsFolder();

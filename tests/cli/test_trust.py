@@ -22,6 +22,8 @@ SHORT = settings(run__end_time="1 ms")
 # Long enough to be killed, with steps that are the same after a resume.
 LONG = settings(run__end_time="60 ms", integration__method="runge-kutta-4", integration__step="0.5 us", output__checkpoint_interval="0.05 s")
 
+STUDY = 'case = "reference.toml"\n[design]\nkind = "grid"\n[vary]\ncontact.friction_coefficient = [0.05, 0.1]\n'
+
 
 class OtherPeoplesFiles(ProgramTest):
     def test_a_directory_without_results_keeps_what_is_in_it(self):
@@ -72,7 +74,7 @@ class OtherPeoplesFiles(ProgramTest):
             self.assertEqual((self.folder / output).read_bytes(), before)
 
     def test_a_study_report_replaces_only_its_own(self):
-        self.write("study.toml", 'case = "reference.toml"\n[design]\nkind = "grid"\n[vary]\ncontact.friction_coefficient = [0.05, 0.1]\n')
+        self.write("study.toml", STUDY)
         self.succeed("study", "study.toml", "-o", "out", *SHORT)
         (self.folder / "out/report.html").write_text("mine")
         self.assertEqual(self.call("study", "report", "out").returncode, 2)
@@ -134,6 +136,43 @@ class OtherPeoplesFiles(ProgramTest):
             self.assertEqual(done.returncode, 2, done.stderr)
             self.assertIn("did not write it", done.stderr)
             self.assertEqual((self.folder / "out" / name).read_text(), "mine")
+
+    def test_tables_and_inputs_by_names_of_a_study_stay(self):
+        self.succeed("run", "reference.toml", "-o", "whole", *SHORT)
+        self.write("s.toml", STUDY)
+        for name in ("study.csv", "measured.csv", "study.toml", "case.toml"):
+            with self.subTest(name):
+                shutil.rmtree(self.folder / "out", ignore_errors=True)
+                shutil.copytree(self.folder / "whole", self.folder / "out")
+                (self.folder / "out" / name).write_text("mine")
+                self.succeed("run", "reference.toml", "-o", "out", *SHORT, "--force")
+                self.assertEqual((self.folder / "out" / name).read_text(), "mine")
+                before = content_of(self.folder / "out")
+                done = self.call("study", "s.toml", "-o", "out", *SHORT, "--force")
+                self.assertEqual(done.returncode, 2, done.stderr)
+                self.assertIn(f"out/{name}: results would replace this file, but the program did not write it", done.stderr)
+                self.assertEqual(content_of(self.folder / "out"), before)
+        (self.folder / "out/case.toml").unlink()
+        (self.folder / "out/parameters.toml").write_text("mine = 1\n")
+        before = content_of(self.folder / "out")
+        done = self.call("run", "reference.toml", "-o", "out", *SHORT, "--force")
+        self.assertEqual(done.returncode, 2, done.stderr)
+        self.assertIn("out/parameters.toml: results would replace this file", done.stderr)
+        self.assertEqual(content_of(self.folder / "out"), before)
+
+    def test_only_a_study_replaces_a_study(self):
+        self.write("s.toml", STUDY)
+        self.succeed("study", "s.toml", "-o", "out", *SHORT)
+        self.succeed("study", "rerun", "out", "--point", "0", "--quiet")
+        (self.folder / "out/point-0/parameters.toml").write_text("mine = 1\n")
+        before = content_of(self.folder / "out")
+        for command in (("run", "reference.toml", *SHORT), ("preload", "reference.toml", "--bearing", "TB1"), ("study", "rerun", "out", "--point", "0")):
+            done = self.call(*command, "-o", "out", "--force")
+            self.assertEqual(done.returncode, 2, done.stderr)
+            self.assertIn('out: the directory holds the study "s"', done.stderr)
+            self.assertEqual(content_of(self.folder / "out"), before)
+        self.succeed("study", "s.toml", "-o", "out", *SHORT, "--force")
+        self.assertEqual((self.folder / "out/point-0/parameters.toml").read_text(), "mine = 1\n")
 
     def test_a_link_or_a_folder_by_the_name_of_results_stays(self):
         self.succeed("run", "reference.toml", "-o", "whole", *SHORT)

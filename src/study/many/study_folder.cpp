@@ -187,7 +187,11 @@ void remove_rerun_points(const fs::path& directory) {
   for (const auto& folder : folders) {
     const bool has_parameters = is_written_parameters(folder / "parameters.toml");
     const bool has_series = is_own_results(folder / "results.h5");
-    { const ResultsFolder emptied(folder, ResultsFolder::Existing::replace); }
+    try {
+      const ResultsFolder emptied(folder, ResultsFolder::Existing::replace);
+    } catch (const InputError&) {
+      continue;  // someone else's files are among them
+    }
     if (has_series) fs::remove(folder / "results.h5", ignored);
     if (has_parameters) fs::remove(folder / "parameters.toml", ignored);
     fs::remove(folder, ignored);  // only if that left it empty
@@ -285,7 +289,7 @@ std::size_t join_shards(const std::vector<fs::path>& directories, const fs::path
   JoinedShards shards;
   for (const auto& directory : directories) shards.add(directory, directories.front());
   const auto virtual_files = is_virtual ? seen_from(output, shards.files) : std::vector<ShardFile>{};
-  const ResultsFolder folder(output, ResultsFolder::existing_results(false, force));
+  const ResultsFolder folder(output, ResultsFolder::existing_results(false, force), ResultsFolder::Results::of_study);
   if (force) remove_rerun_points(output);
   write_inputs(study, output);
   const StudyTable table = make_table(study, design, shards.records, shards.layouts);

@@ -320,7 +320,8 @@ void complete_results(const Study& study, PointResult& result) {
 }
 
 StudyOutcome run_study(const Study& study, const Design& design, const StudyOptions& options) {
-  const ResultsFolder folder(options.directory, ResultsFolder::existing_results(options.resume, options.force));
+  const ResultsFolder folder(options.directory, ResultsFolder::existing_results(options.resume, options.force),
+                             ResultsFolder::Results::of_study);
   const std::string digest = digest_of(study, design);
   const std::string header = journal_header(study, digest, options.shard, options.n_shards);
   const fs::path file = options.directory / "study.journal";

@@ -169,7 +169,8 @@ class SearchRun {
 }  // namespace
 
 StudyOutcome run_search(const Study& study, const StudyOptions& options) {
-  const ResultsFolder folder(options.directory, ResultsFolder::existing_results(options.resume, options.force));
+  const ResultsFolder folder(options.directory, ResultsFolder::existing_results(options.resume, options.force),
+                             ResultsFolder::Results::of_study);
   const SearchSpace space(study);
   const std::string digest = digest_of(study, space.corners());
   const std::string header = journal_header(study, digest, 1, 1);
