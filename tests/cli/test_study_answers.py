@@ -162,6 +162,20 @@ class StudyAnswers(ProgramTest):
         self.assertIn("No level is called smallest", told)
         self.succeed("study", "report", "none")
 
+    def test_failed_drops_are_told_beside_every_answer(self):
+        self.case('[integration]\nmethod = "runge-kutta-4"\n')  # steps of 1 ms are far beyond its stability
+        text = ('case = "drop.toml"\n[vary]\nintegration.step = ["5 us", "1 ms", "4 us"]\n[design]\nkind = "list"\n'
+                f'[limits]\n{FORCE} = {{ max = "20 kN" }}\n[choose]\nparameter = "integration.step"\nresult = {FORCE}\nquantile = 0.5\n')
+        told, answers = self.study(text, "out", "--set", 'run.end_time="20 ms"')
+        self.assertIn("1 of 3 drops failed: quantiles, means, probabilities and indices are those of the other 2", told)
+        self.assertIn("0 of 2 drops, 0 %; not assessed in 1 more: the drop failed (1)", told)
+        self.assertRegex(told, r"0\.001 s: +none, 1 without this result \(1 failed\)")
+        limit = answers["limits"][0]
+        self.assertEqual((limit["n"], limit["undefined"], limit["undefined_because"]), (2, 1, {"the drop failed": 1}))
+        self.assertEqual(answers["results"]["bearings.TB1.peak_contact_force"]["failed"], 1)
+        self.succeed("study", "report", "out")
+        self.assertIn("1 of 3 drops failed", (self.folder / "out/report.html").read_text())
+
     def test_a_level_that_is_never_drawn_is_listed(self):
         text = ('case = "drop.toml"\n[vary]\ncontact.air_gap = { values = ["200 um", "250 um", "300 um"], weights = [1, 1e-9, 1] }\n[design]\nsize = 4\n'
                 '[choose]\nparameter = "contact.air_gap"\nresult = "bearings.TB1.first_contact_time"\nquantile = 0.5\n')

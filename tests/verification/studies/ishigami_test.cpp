@@ -145,6 +145,19 @@ TEST(Answers, HaveTheQuantilesAndProbabilitiesOfAUniformNumber) {
                 "probability");
 }
 
+// Nobody knows whether a failed drop would break a limit. About 0.1 of 500 fail; four standard deviations of that number are 27.
+TEST(Answers, CountFailedDropsAsNotAssessed) {
+  const auto summary =
+      run("[design]\nkind = \"monte-carlo\"\nsize = 500\n[limits]\nlinear = { max = 0.9 }\n", sometimes);
+  const auto n_failed = summary["failed"].get<int>();
+  EXPECT_NEAR(n_failed, 50, 27);
+  const auto& limit = summary["limits"][0];
+  EXPECT_EQ(limit["n"].get<int>(), 500 - n_failed);
+  EXPECT_EQ(limit["undefined"].get<int>(), n_failed);
+  EXPECT_EQ(limit["undefined_because"], (nlohmann::json{{"the drop failed", n_failed}}));
+  EXPECT_EQ(summary["results"]["linear"]["failed"].get<int>(), n_failed);
+}
+
 // Of f the largest effects are those of x1 and x3, and x3's have no mean: sin x1 changes sign.
 TEST(Morris, FindsThatTheThirdParameterActsByInteraction) {
   const auto summary = run("[design]\nkind = \"morris\"\nsize = 60\n");

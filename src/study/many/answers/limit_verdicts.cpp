@@ -21,7 +21,8 @@ LimitVerdicts::LimitVerdicts(const StudyTable& table, const std::vector<Limit>& 
 
 LimitBreak LimitVerdicts::breaks(const Limit& limit, std::size_t point) const {
   const ResultColumn* column = table_.find(limit.pattern);
-  if (table_.status[point] != PointStatus::done) return {{}, "not done"};
+  if (table_.status[point] == PointStatus::failed) return {{}, "the drop failed"};
+  if (table_.status[point] == PointStatus::not_run) return {{}, "not run"};
   if (!column) return {{}, "no value"};
   LimitBreak found{false, ""};
   for (const bool is_max : {true, false}) {

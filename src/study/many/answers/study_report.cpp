@@ -88,8 +88,8 @@ Json study_report_data(const std::filesystem::path& directory) {
   data["counts"] =
       fmt::format("{} drops: {} done, {} failed, {} not run.", table.n_points, table.count(PointStatus::done),
                   table.count(PointStatus::failed), table.count(PointStatus::not_run));
-  if (const auto told = without_contact_text(summary); !told.empty())
-    data["counts"] = data["counts"].get<std::string>() + " " + told;
+  for (const auto& told : {failed_text(summary), without_contact_text(summary)})
+    if (!told.empty()) data["counts"] = data["counts"].get<std::string>() + " " + told;
   data["limits"] = summary["limits"];
   for (const char* key : {"choose", "minimise", "fit", "surrogate", "indices", "morris", "indices_method"})
     if (summary.contains(key)) data[key] = summary[key];

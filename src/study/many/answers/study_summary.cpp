@@ -67,10 +67,11 @@ std::optional<double> replicate_share(const Study& study, const Design& design, 
   return within / static_cast<double>(n_within) / (total * total);
 }
 
+/// @param n_failed  of the points
 Json result_summary(const Study& study, const Design& design, const ResultColumn& column,
-                    const std::vector<std::size_t>& points) {
+                    const std::vector<std::size_t>& points, std::size_t n_failed) {
   auto values = finite_of(column, points);
-  Json j{{"unit", column.unit}, {"long_name", column.long_name}, {"n", values.size()}};
+  Json j{{"unit", column.unit}, {"long_name", column.long_name}, {"n", values.size()}, {"failed", n_failed}};
   if (values.empty()) {
     j["mean"] = nullptr;
     return j;
@@ -106,7 +107,7 @@ Json limit_summary(const Study& study, const Design& design, const StudyTable& t
   Json undefined = Json::object();
   std::map<std::size_t, std::pair<double, double>> of_row;
   for (const auto k : points) {
-    if (table.status[k] != PointStatus::done) continue;
+    if (table.status[k] == PointStatus::not_run) continue;
     const auto [is_broken, why] = verdicts.breaks(limit, k);
     if (!is_broken) {
       ++n_undefined;
@@ -150,7 +151,7 @@ Json choice_summary(const Study& study, const Design& design, const StudyTable& 
   struct Level {
     Json value;
     std::vector<double> results;
-    std::size_t n_without = 0, n_not_run = 0;
+    std::size_t n_without = 0, n_failed = 0, n_not_run = 0;
   };
   std::vector<Level> levels;
   // A small sample may leave out values of a list, by weights or by chance.
@@ -170,8 +171,10 @@ Json choice_summary(const Study& study, const Design& design, const StudyTable& 
       level->results.push_back(column->values[k]);
     else if (table.status[k] == PointStatus::not_run)
       ++level->n_not_run;
-    else
+    else {
       ++level->n_without;
+      level->n_failed += table.status[k] == PointStatus::failed;
+    }
   }
   std::stable_sort(levels.begin(), levels.end(), [](const Level& a, const Level& b) {
     return a.value.is_number() && b.value.is_number() && a.value.get<double>() < b.value.get<double>();
@@ -185,6 +188,7 @@ Json choice_summary(const Study& study, const Design& design, const StudyTable& 
     Json one{{"value", level.value},
              {"n", level.results.size()},
              {"without_result", level.n_without},
+             {"failed", level.n_failed},
              {"not_run", level.n_not_run}};
     if (level.results.size() + level.n_without + level.n_not_run == 0) {
       one["not_drawn"] = true;
@@ -346,7 +350,10 @@ Json study_summary(const Study& study, const Design& design, const StudyTable& t
   auto points = sample_points(study, design);
   if (points.empty()) points = all_points(table);
   j["results"] = Json::object();
-  for (const auto& column : table.results) j["results"][column.name] = result_summary(study, design, column, points);
+  const auto n_failed = static_cast<std::size_t>(
+      std::ranges::count_if(points, [&](std::size_t k) { return table.status[k] == PointStatus::failed; }));
+  for (const auto& column : table.results)
+    j["results"][column.name] = result_summary(study, design, column, points, n_failed);
   add_indices(j, study, design, table);
   if (study.surrogate) j["surrogate"] = surrogate_summary(study, design, table, watch);
   return j;

@@ -18,6 +18,9 @@ std::string study_text(const Study& study, const nlohmann::ordered_json& summary
 /// How many drops ended before the rotor touched anything, for the screen and the page; empty if none did.
 std::string without_contact_text(const nlohmann::ordered_json& summary);
 
+/// How many drops failed, which no statistic counts, for the screen and the page; empty if none did, and for searches.
+std::string failed_text(const nlohmann::ordered_json& summary);
+
 /// study.h5, study.csv and study.json. @param shards  as of write_study_hdf5() @throws SummaryStopped, nothing being written then
 void write_results(const std::filesystem::path& directory, const Study& study, const Design& design,
                    const StudyTable& table, const std::string& digest, const SummaryWatch& watch = {},

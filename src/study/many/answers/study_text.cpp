@@ -35,6 +35,12 @@ std::string not_assessed_text(const Json& limit) {
   return fmt::format("; not assessed in {} more: {}", limit["undefined"].get<std::size_t>(), reasons);
 }
 
+/// " (2 failed)" of drops without a result.
+std::string failed_words(const Json& level) {
+  const auto n = level.value("failed", std::size_t{0});
+  return n > 0 ? fmt::format(" ({} failed)", n) : std::string();
+}
+
 std::string choice_text(const Json& choice) {
   const std::string unit = choice["result_unit"], own = choice["unit"];
   const std::string quantile = percent(choice["quantile"]) + " %";
@@ -43,7 +49,7 @@ std::string choice_text(const Json& choice) {
   for (const auto& level : choice["levels"]) {
     std::string without;
     if (const auto n = level["without_result"].get<std::size_t>(); n > 0)
-      without += fmt::format(", {} without this result", n);
+      without += fmt::format(", {} without this result{}", n, failed_words(level));
     if (const auto n = level.value("not_run", std::size_t{0}); n > 0) without += fmt::format(", {} not run", n);
     if (level.value("not_drawn", false)) {
       text += fmt::format("  {:>16}: {:>12}, 0 drops: not drawn\n", number(level["value"], own), "none");
@@ -104,6 +110,15 @@ std::string without_contact_text(const Json& summary) {
       n, summary["done"].get<std::size_t>());
 }
 
+std::string failed_text(const Json& summary) {
+  const auto n = summary["failed"].get<std::size_t>(), n_done = summary["done"].get<std::size_t>();
+  if (n == 0 || summary.contains("fit") || summary.contains("minimise")) return {};
+  return fmt::format(
+      "{} of {} drops failed: quantiles, means, probabilities and indices are those of the other {}. If drops fail "
+      "because of what is asked for, these are not the answer.",
+      n, n + n_done, n_done);
+}
+
 std::string study_text(const Study& study, const Json& j) {
   std::string text = fmt::format(
       "{} drops: {} done, {} failed{}; {:.4g} s of CPU, {:.3g} s each\n", j["points"].get<std::size_t>(),
@@ -111,7 +126,8 @@ std::string study_text(const Study& study, const Json& j) {
       j["not_run"].get<std::size_t>() > 0 ? fmt::format(", {} not run", j["not_run"].get<std::size_t>()) : "",
       j["cpu_time"].get<double>(),
       j["cpu_time"].get<double>() / std::max(1., j["done"].get<double>() + j["failed"].get<double>()));
-  if (const auto told = without_contact_text(j); !told.empty()) text += told + "\n";
+  for (const auto& told : {failed_text(j), without_contact_text(j)})
+    if (!told.empty()) text += told + "\n";
   if (j.contains("fit")) return text + fit_text(j["fit"]);
   if (j.contains("minimise")) return text + minimise_text(j["minimise"]);
   for (const auto& limit : j["limits"]) {
