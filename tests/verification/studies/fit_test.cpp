@@ -194,6 +194,12 @@ TEST_F(FitTest, SaysWhatCannotBeFitted) {
   EXPECT_NE(fault_of("").find("is in m, but the measured values"), std::string::npos);
   std::ofstream(folder_.path() / "measured.csv") << "t [ms];y [um]\n0;1\n1;2\n0.5;3\n3;4\n";
   EXPECT_NE(fault_of("").find("do not rise"), std::string::npos);
+  std::ofstream(folder_.path() / "measured.csv") << "t [ms];y [um]\n0;5.3\n1;5.3\n2;5.3\n";
+  EXPECT_NE(fault_of("").find("do not vary"), std::string::npos);
+  EXPECT_NE(fault_of("").find("Give deviation"), std::string::npos);
+  EXPECT_NO_THROW(
+      folder_.read("[vary]\n\"rotor.unbalance[0].angle\" = { range = [0, 1] }\n[[fit.measured]]\n"
+                   "file = \"measured.csv\"\nseries = \"/bearings/TB1/orbit\"\ndeviation = 1\n"));
   std::ofstream(folder_.path() / "measured.csv") << "t [ms];y [um]\n0;1\n1;x\n";
   EXPECT_NE(fault_of("").find("measured.csv:3"), std::string::npos);
 }

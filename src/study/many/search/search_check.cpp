@@ -7,6 +7,7 @@
 
 #include "base/parameters/suggestion.h"
 #include "base/units.h"
+#include "study/many/answers/statistics.h"
 #include "study/many/search/fit_evaluation.h"
 #include "study/many/search/search_space.h"
 
@@ -121,6 +122,16 @@ void read_fit(Study& study, const Node& tree, Faults& faults) {
   faults.throw_if_any();
 }
 
+/// Without the noise's deviation a series is divided by the spread of its values, which must then have one.
+void check_spread(const Measured& m, const SourcePosition& where) {
+  if (m.deviation || varies(m.data.values)) return;
+  throw InputError(where,
+                   fmt::format("the {} values of {} in {} that are compared do not vary, so that they do not tell what "
+                               "a difference from them weighs.",
+                               m.data.values.size(), m.name, m.keys.file),
+                   "Give deviation, the standard deviation of the noise, for all series, or leave this one out.");
+}
+
 }  // namespace
 
 void read_measured_series(Study& study, const Node& tree, const std::filesystem::path& folder, bool is_of_study) {
@@ -139,6 +150,7 @@ void read_measured_series(Study& study, const Node& tree, const std::filesystem:
   for (std::size_t k = 0; k < fit.measured.size(); ++k) {
     if (fit.measured[k].data.empty()) continue;
     leave_out_after(fit.measured[k], end, tables->items()[k].where());
+    if (!is_of_study) check_spread(fit.measured[k], tables->items()[k].where());
     if (const auto text = left_out_text(fit.measured[k], end); !text.empty())
       study.base.warnings.push_back({tables->items()[k].where(), text, "Set until, or let the drop run on."});
   }
