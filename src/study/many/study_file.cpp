@@ -119,6 +119,14 @@ void check_design(const Study& study, const Node& tree, Faults& faults) {
     faults.add(where, "the Sobol sequence has 3667 dimensions.");
 }
 
+/// What makes the values of a parameter continuous: itself, or a parameter in its formula. Null: it takes given values only.
+const VariedParameter* continuous_source(const Study& study, const VariedParameter& p) {
+  if (p.distribution.is_continuous()) return &p;
+  for (const auto i : p.formula_of)
+    if (study.parameters[i].distribution.is_continuous()) return &study.parameters[i];
+  return nullptr;
+}
+
 void check_choice(const Study& study, Faults& faults) {
   if (!study.choice) return;
   std::vector<std::string> names;
@@ -130,11 +138,12 @@ void check_choice(const Study& study, Faults& faults) {
   if (!found)
     faults.add(study.choice->where, fmt::format("choose.parameter = \"{}\" is not varied.", study.choice->parameter),
                suggestion(study.choice->parameter, names, fmt::format("Varied: {}.", fmt::join(names, ", "))));
-  else if (found->distribution.is_continuous() && study.design.kind != DesignKind::grid &&
-           study.design.kind != DesignKind::one_at_a_time)
+  else if (const auto* drawn = continuous_source(study, *found);
+           drawn && study.design.kind != DesignKind::grid && study.design.kind != DesignKind::one_at_a_time)
     faults.add(study.choice->where,
-               fmt::format("choose.parameter = \"{}\" needs values, between which the study chooses.", found->name),
-               fmt::format("Write {} = [first, second, ...] under [vary].", found->name));
+               fmt::format("choose.parameter = \"{}\" needs values, between which the study chooses{}.", found->name,
+                           found->formula ? fmt::format("; by its formula it follows {}", drawn->name) : ""),
+               fmt::format("Write {} = [first, second, ...] under [vary].", drawn->name));
 }
 
 /// Overrides of what the study varies would be without effect.

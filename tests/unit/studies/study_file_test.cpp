@@ -125,6 +125,15 @@ TEST(StudyFile, TellsWhatIsWrongBeforeAnythingRuns) {
               HasSubstr("Did you mean \"/bearings/TB1/contact_force\"?"));
   EXPECT_THAT(fault_of(friction + "[choose]\nparameter = \"friction\"\nresult = \"rotor_speed_end\"\n"),
               HasSubstr("is not varied"));
+  const auto chosen_by_formula = [](const std::string& values) {
+    return "[vary]\n\"contact.friction_coefficient\" = " + values +
+           "\n\"rotor.modal_damping\" = { formula = \"0.1 * contact.friction_coefficient\" }\n[design]\nsize = 4\n"
+           "[choose]\nparameter = \"rotor.modal_damping\"\nresult = \"rotor_speed_end\"\n";
+  };
+  EXPECT_THAT(fault_of(chosen_by_formula("{ range = [0.1, 0.2] }")),
+              AllOf(HasSubstr("needs values"), HasSubstr("by its formula it follows contact.friction_coefficient"),
+                    HasSubstr("Write contact.friction_coefficient = [first, second, ...]")));
+  EXPECT_EQ(fault_of(chosen_by_formula("[0.1, 0.2]")), "");
   EXPECT_THAT(
       fault_of(
           "[vary]\n\"contact.friction_coefficient\" = { range = [0, 1] }\n\"rotor.modal_damping\" = { range = [0, 0.1] "
