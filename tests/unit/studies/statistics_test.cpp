@@ -33,6 +33,25 @@ TEST(QuantileInterval, IsThatOfTheOrderStatistics) {
   EXPECT_FALSE(quantile_estimate(sorted, 0.95).high);
 }
 
+// Groups 1 3 and 5 7: W = 2, MSB = 2 (2^2 + 2^2) = 16, B = (16 - 2)/2 = 7. Groups 1 3 5 and 9: W = 8/2, MSB = 3 1.5^2 + 4.5^2 = 27, n0 = 4 - 10/4 = 1.5,
+// B = 23/1.5.
+TEST(ShareWithin, IsThatOfTheComponentsOfVariance) {
+  EXPECT_DOUBLE_EQ(*share_within({{1, 3}, {5, 7}}), 2. / 9.);
+  EXPECT_DOUBLE_EQ(*share_within({{1, 3, 5}, {}, {9}}), 4. / (4. + 23. / 1.5));
+  EXPECT_EQ(*share_within({{1, 3}, {3, 1}}), 1.) << "never more";
+  EXPECT_EQ(*share_within({{1, 1}, {2, 2}}), 0.);
+  EXPECT_FALSE(share_within({{0.1, 0.1, 0.1}, {0.1, 0.1, 0.1}}));
+  EXPECT_FALSE(share_within({{1, 2}}));
+  EXPECT_FALSE(share_within({{1}, {2}}));
+}
+
+// 0.1 summed three times is not 0.3 in binary numbers, so that a mean differs from its equal values.
+TEST(Deviation, OfEqualNumbersIsZero) {
+  EXPECT_EQ(deviation_of({0.1, 0.1, 0.1}), 0.);
+  EXPECT_EQ(deviation_of({1e-9}), 0.);
+  EXPECT_DOUBLE_EQ(deviation_of({1., 3.}), std::sqrt(2.));
+}
+
 // Quantiles against scipy.stats (truncnorm, triang, norm, uniform, loguniform), 1e-12.
 TEST(Distribution, HasTheQuantilesOfScipy) {
   Distribution d;

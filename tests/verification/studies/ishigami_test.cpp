@@ -145,6 +145,15 @@ TEST(Answers, HaveTheQuantilesAndProbabilitiesOfAUniformNumber) {
                 "probability");
 }
 
+// "linear" depends on what is drawn alone, so replicates have the same value.
+TEST(Answers, HaveNoDeviationOfOneDropAndNoShareOfReplicatesThatAreAlike) {
+  const auto one = run("[design]\nkind = \"monte-carlo\"\nsize = 1\n");
+  EXPECT_TRUE(one["results"]["linear"]["standard_deviation"].is_null());
+  const auto alike = run("[design]\nkind = \"monte-carlo\"\nsize = 4\n[replicates]\nn = 3\n");
+  EXPECT_EQ(alike["results"]["linear"]["replicate_share"], 0.);
+  EXPECT_GT(alike["results"]["linear"]["standard_deviation"], 0.);
+}
+
 // Nobody knows whether a failed drop would break a limit. About 0.1 of 500 fail; four standard deviations of that number are 27.
 TEST(Answers, CountFailedDropsAsNotAssessed) {
   const auto summary =

@@ -28,11 +28,35 @@ bool varies(const std::vector<double>& values) {
 }
 
 double deviation_of(const std::vector<double>& values) {
-  if (values.size() < 2) return 0.;
+  if (values.size() < 2 || !varies(values)) return 0.;
   const double mean = mean_of(values);
   double sum = 0.;
   for (const double value : values) sum += (value - mean) * (value - mean);
   return std::sqrt(sum / static_cast<double>(values.size() - 1));
+}
+
+std::optional<double> share_within(const std::vector<std::vector<double>>& groups) {
+  std::vector<double> all;
+  double n_groups = 0., within = 0., sum_of_squared_sizes = 0.;
+  for (const auto& group : groups) {
+    if (group.empty()) continue;
+    const auto n = static_cast<double>(group.size());
+    const double s = deviation_of(group);
+    n_groups += 1.;
+    within += s * s * (n - 1.);
+    sum_of_squared_sizes += n * n;
+    all.insert(all.end(), group.begin(), group.end());
+  }
+  const auto n_all = static_cast<double>(all.size());
+  if (n_groups < 2. || n_all == n_groups || !varies(all)) return {};
+  const double mean = mean_of(all);
+  double between = 0.;
+  for (const auto& group : groups)
+    if (!group.empty()) between += static_cast<double>(group.size()) * std::pow(mean_of(group) - mean, 2);
+  const double W = within / (n_all - n_groups), MSB = between / (n_groups - 1.);
+  const double n0 = (n_all - sum_of_squared_sizes / n_all) / (n_groups - 1.);
+  const double B = std::max(0., (MSB - W) / n0);
+  return W + B > 0. ? std::optional(W / (W + B)) : std::nullopt;
 }
 
 double quantile_of(const std::vector<double>& sorted, double p) {

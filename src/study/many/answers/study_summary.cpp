@@ -49,22 +49,10 @@ std::vector<std::size_t> all_points(const StudyTable& table) {
 /// Part of a result's variance that lies between starts next to each other.
 std::optional<double> replicate_share(const Study& study, const Design& design, const ResultColumn& column) {
   const auto n = static_cast<std::size_t>(study.n_replicates);
-  double within = 0.;
-  std::size_t n_within = 0;
-  std::vector<double> all;
-  for (std::size_t row = 0; row < design.n_rows; ++row) {
-    std::vector<double> values;
-    for (std::size_t r = 0; r < n; ++r)
-      if (const double v = column.values[row * n + r]; std::isfinite(v)) values.push_back(v);
-    all.insert(all.end(), values.begin(), values.end());
-    if (values.size() < 2) continue;
-    const double s = deviation_of(values);
-    within += s * s * static_cast<double>(values.size() - 1);
-    n_within += values.size() - 1;
-  }
-  const double total = deviation_of(all);
-  if (n_within == 0 || !(total > 0.)) return {};
-  return within / static_cast<double>(n_within) / (total * total);
+  std::vector<std::vector<double>> rows(design.n_rows);
+  for (std::size_t k = 0; k < design.n_rows * n; ++k)
+    if (std::isfinite(column.values[k])) rows[k / n].push_back(column.values[k]);
+  return share_within(rows);
 }
 
 /// @param n_failed  of the points
@@ -78,7 +66,7 @@ Json result_summary(const Study& study, const Design& design, const ResultColumn
   }
   std::sort(values.begin(), values.end());
   j["mean"] = mean_of(values);
-  j["standard_deviation"] = deviation_of(values);
+  j["standard_deviation"] = values.size() > 1 ? Json(deviation_of(values)) : Json(nullptr);
   j["smallest"] = values.front();
   j["largest"] = values.back();
   const bool is_sample = !sample_points(study, design).empty();
