@@ -207,6 +207,14 @@ class StudyAnswers(ProgramTest):
                              ('distribution = "uniform", lower = 0.1, upper = 0.2, mean = 0.1', "mean means nothing beside")):
             self.refused(f'case = "drop.toml"\n[vary]\ncontact.friction_coefficient = {{ {words} }}\n[design]\nsize = 4\n', *told)
 
+    def test_settings_of_what_the_study_varies_are_refused(self):
+        self.write("s.toml", VARY + "[design]\nsize = 2\n")
+        for setting in ('contact.air_gap="100 um"', 'contact={air_gap="100 um"}', 'contact={exponent=1.1, air_gap="100 um"}', '"contact"."air_gap"="100 um"'):
+            done = self.call("study", "s.toml", "--dry-run", "--set", setting)
+            self.assertEqual(done.returncode, 2, setting)
+            self.assertIn("the study varies contact.air_gap, so that this would be without effect", done.stderr)
+        self.succeed("study", "s.toml", "--dry-run", "--set", "contact={exponent=1.1}")
+
     def test_advice_on_one_result_names_results(self):
         text = VARY + "[design]\nsize = 4\n"
         self.refused(text + '[surrogate]\nresults = "bearings.TB1.peak_contact_force"\n', "must be a list of texts", '["bearings.TB1.peak_contact_force"]')

@@ -9,6 +9,7 @@
 #include <set>
 
 #include "base/parameters/suggestion.h"
+#include "case/keys/entry_settings.h"
 #include "case/program_files.h"
 #include "case/slips/kinds_of_files.h"
 #include "io/text/input_file.h"
@@ -146,13 +147,25 @@ void check_choice(const Study& study, Faults& faults) {
                fmt::format("Write {} = [first, second, ...] under [vary].", drawn->name));
 }
 
+/// Keys that an override sets: one, or those of the table that it gives.
+std::vector<std::string> keys_set_by(const Setting& setting) {
+  if (names_entry(setting)) return {setting.key};
+  Node tree = Node::table();
+  apply_setting(tree, setting);
+  std::vector<std::string> names;
+  for (const auto& entry : flattened(tree, {})) names.push_back(entry.name);
+  return names;
+}
+
 /// Overrides of what the study varies would be without effect.
 void require_effect(const std::vector<std::string>& overrides, const Study& study, Faults& faults) {
   for (const auto& assignment : overrides) {
-    const std::string name = read_setting(assignment).key;
-    for (const auto& parameter : study.parameters)
-      if (std::any_of(parameter.keys.begin(), parameter.keys.end(), [&](const auto& key) { return key.name == name; }))
-        faults.add({"--set " + name, 0, 0},
+    const Setting setting = read_setting(assignment);
+    for (const auto& name : keys_set_by(setting))
+      if (std::ranges::any_of(study.parameters, [&](const auto& parameter) {
+            return std::ranges::any_of(parameter.keys, [&](const auto& key) { return key.name == name; });
+          }))
+        faults.add({"--set " + setting.key, 0, 0},
                    fmt::format("the study varies {}, so that this would be without effect.", name),
                    fmt::format("Leave it out, or take the parameter out of [vary] in {}.", study.file.string()));
   }
