@@ -7,6 +7,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <numeric>
 
@@ -27,6 +28,18 @@ const DistributionWords distributions[] = {
     {Distribution::Kind::normal, {"mean", "deviation"}},
     {Distribution::Kind::truncated_normal, {"mean", "deviation", "lower", "upper"}},
     {Distribution::Kind::triangular, {"lower", "mode", "upper"}}};
+
+/// The name nearest to "lognormal" is "normal", which is not meant.
+std::string advice_on_distribution(const std::string& word, const std::vector<std::string>& names) {
+  const std::string known = fmt::format("Known: {}.", fmt::join(names, ", "));
+  std::string letters;
+  for (const char c : word)
+    if (std::isalpha(static_cast<unsigned char>(c))) letters += static_cast<char>(std::tolower(c));
+  if (letters.find("lognorm") == std::string::npos) return suggestion(word, names, known);
+  return known +
+         "\nA lognormal distribution is given by its quantiles as values = [...], all equally probable: "
+         "exp(m + s z) with z = -1.28, -0.52, 0, 0.52, 1.28 is one of five. Between two ends \"log-uniform\" may do.";
+}
 
 /// Reads the table of one parameter.
 class ParameterReader {
@@ -212,7 +225,7 @@ class ParameterReader {
     if (d.kind == K::values) {
       names.emplace_back("discrete");
       return fault(kind, fmt::format("there is no distribution {}.", to_text(kind)),
-                   suggestion(kind.is_text() ? kind.text() : "", names));
+                   advice_on_distribution(kind.is_text() ? kind.text() : "", names));
     }
     std::optional<double> lower, upper;
     if (d.kind != K::normal) {

@@ -11,6 +11,7 @@
 using namespace rotordrop;
 using testing::AllOf;
 using testing::HasSubstr;
+using testing::Not;
 
 namespace {
 
@@ -102,7 +103,12 @@ TEST(StudyFile, TellsWhatIsWrongBeforeAnythingRuns) {
                design),
       HasSubstr("either values, a range, a distribution or a formula"));
   EXPECT_THAT(fault_of("[vary]\n\"contact.friction_coefficient\" = { distribution = \"norml\", mean = 1 }\n" + design),
-              HasSubstr("Did you mean \"normal\"?"));
+              AllOf(HasSubstr("Did you mean \"normal\"?"), HasSubstr("triangular, discrete")));
+  for (const char* lognormal : {"lognormal", "log-normal", "Log_Normal"})
+    EXPECT_THAT(fault_of("[vary]\n\"contact.friction_coefficient\" = { distribution = \"" + std::string(lognormal) +
+                         "\", mean = 1, deviation = 1 }\n" + design),
+                AllOf(HasSubstr("log-uniform, normal, truncated-normal"), HasSubstr("by its quantiles as values"),
+                      Not(HasSubstr("Did you mean"))));
   EXPECT_THAT(fault_of("[vary]\n\"rotor.unbalance[2].me\" = [1e-6]\n" + design), HasSubstr("no entry 2"));
   EXPECT_THAT(fault_of("[vary]\n\"bearings.TB3.f2\" = [1]\n" + design), HasSubstr("Did you mean \"bearings.TB"));
   EXPECT_THAT(fault_of("[vary]\n\"contact.friction_coefficient\" = [0.1]\n"), HasSubstr("needs design.size"));
