@@ -17,6 +17,7 @@ struct Distribution {
   double mean = 0, deviation = 0, mode = 0;
 
   [[nodiscard]] bool is_continuous() const { return kind != Kind::values; }
+  [[nodiscard]] bool has_ends() const { return is_continuous() && kind != Kind::normal; }
   /// Value of a continuous distribution at a probability in (0, 1), SI.
   [[nodiscard]] double quantile(double probability) const;
   /// Index of the discrete value at a probability in (0, 1).

@@ -17,6 +17,7 @@
 #include "study/many/common_values.h"
 #include "study/many/derived_results.h"
 #include "study/many/search/search_check.h"
+#include "study/many/search/search_space.h"
 #include "study/many/study_keys.h"
 #include "study/many/study_names.h"
 #include "study/many/vary_reader.h"
@@ -80,6 +81,20 @@ bool is_sample(DesignKind kind) {
   return kind == DesignKind::latin_hypercube || kind == DesignKind::sobol_sequence || kind == DesignKind::monte_carlo;
 }
 
+/// A reference that is written beside a distribution with ends is a point of one-at-a-time.
+void check_references(const Study& study, Faults& faults) {
+  for (const auto i : study.drawn()) {
+    const auto& p = study.parameters[i];
+    const auto& d = p.distribution;
+    if (!p.reference || !p.reference->is_number() || !d.has_ends() || is_in_range(d, p.reference->number())) continue;
+    faults.add(p.reference->where(),
+               fmt::format("vary.{}: reference = {} is not in the range from {} to {}{}.", p.name,
+                           shortest(p.reference->number()), shortest(d.lower), shortest(d.upper),
+                           p.unit().empty() || p.unit() == "1" ? "" : " " + p.unit()),
+               "Choose a reference in the range, or leave it out: it is then the case's value.");
+  }
+}
+
 void check_design(const Study& study, const Node& tree, Faults& faults) {
   const Node* table = tree.find("design");
   const SourcePosition where = table ? table->where() : SourcePosition{study.file.string(), 0, 0};
@@ -108,6 +123,7 @@ void check_design(const Study& study, const Node& tree, Faults& faults) {
       faults.add(where, fmt::format("design.kind = \"list\" needs as many values of every parameter; they have {}.",
                                     fmt::join(lengths, ", ")));
   }
+  if (design.kind == DesignKind::one_at_a_time) check_references(study, faults);
   if (design.kind == DesignKind::morris && design.levels.value_or(4) % 2 != 0)
     faults.add(position_of_value(*table, "levels"), "design.levels of a Morris design must be an even number.",
                "Choose 4, 6 or 8.");

@@ -109,6 +109,13 @@ TEST(StudyFile, TellsWhatIsWrongBeforeAnythingRuns) {
                          "\", mean = 1, deviation = 1 }\n" + design),
                 AllOf(HasSubstr("log-uniform, normal, truncated-normal"), HasSubstr("by its quantiles as values"),
                       Not(HasSubstr("Did you mean"))));
+  const auto one_at_a_time = [](const std::string& reference) {
+    return "[vary]\nrun.ambient = { range = [280, 300], reference = " + reference +
+           " }\n[design]\nkind = \"one-at-a-time\"\n";
+  };
+  EXPECT_THAT(fault_of(one_at_a_time("500")),
+              AllOf(HasSubstr("study.toml:3"), HasSubstr("reference = 500 is not in the range from 280 to 300 K")));
+  EXPECT_EQ(fault_of(one_at_a_time("\"26.85 degC\"")), "");
   EXPECT_THAT(fault_of("[vary]\n\"rotor.unbalance[2].me\" = [1e-6]\n" + design), HasSubstr("no entry 2"));
   EXPECT_THAT(fault_of("[vary]\n\"bearings.TB3.f2\" = [1]\n" + design), HasSubstr("Did you mean \"bearings.TB"));
   EXPECT_THAT(fault_of("[vary]\n\"contact.friction_coefficient\" = [0.1]\n"), HasSubstr("needs design.size"));
