@@ -88,6 +88,8 @@ TEST_F(Minimise, KeepsALimitAtWhichTheMinimumLies) {
   EXPECT_GE(j["best"]["limits"][0]["lower_value"].get<double>(), 1.);
   EXPECT_EQ(j["start"]["value"], 0.);
   EXPECT_FALSE(j["start"]["within_limits"].get<bool>());
+  EXPECT_NE(minimise_text(nlohmann::ordered_json(j)).find("at the start 0, outside the limits"), std::string::npos);
+  EXPECT_TRUE(j["best"]["at_end_of_range"].empty());
 }
 
 // Linear models of a curved limit lead to a place a hair outside it: the best allowed evaluation must come to the edge all the same, 0.3 in each.
@@ -161,6 +163,11 @@ TEST_F(Minimise, EndsWhereTheMinimumLiesInACorner) {
             closed_forms, method);
     EXPECT_NEAR(best(j, 0) + best(j, 1), -2., 0.1) << method;  // evolution comes within a fortieth of the ranges
     EXPECT_EQ(notes_.size(), method == "crs" ? 1U : 0U) << method;
+    if (method != "cobyla") continue;
+    EXPECT_EQ(j["best"]["at_end_of_range"], (nlohmann::json{"rotor.unbalance[0].angle", "rotor.unbalance[1].angle"}));
+    const std::string told = minimise_text(nlohmann::ordered_json(j));
+    EXPECT_NE(told.find("<- end of its range"), std::string::npos);
+    EXPECT_EQ(told.find("outside the limits"), std::string::npos);
   }
 }
 

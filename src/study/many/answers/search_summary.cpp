@@ -111,6 +111,19 @@ bool ends_outside(const Study& study, const std::vector<const Json*>& course, co
   });
 }
 
+/// Names of the parameters that lie nearer to an end of their range than a search tells apart.
+Json at_ends(const Study& study, const Json& parameters) {
+  const SearchSpace space(study);
+  std::vector<double> values;
+  for (std::size_t i = 0; i < space.n_dimensions(); ++i)
+    values.push_back(parameters[space.parameter(i).name].get<double>());
+  const auto place = space.place(values);
+  Json names = Json::array();
+  for (std::size_t i = 0; i < place.size(); ++i)
+    if (std::min(place[i], 1. - place[i]) <= study.minimise->tolerance) names.push_back(space.parameter(i).name);
+  return names;
+}
+
 }  // namespace
 
 Json minimise_summary(const Study& study, const Design& design, const StudyTable& table,
@@ -163,6 +176,7 @@ Json minimise_summary(const Study& study, const Design& design, const StudyTable
     one["low"] = json_number(e.low);
     one["high"] = json_number(e.high);
     one["limits"] = limits_of(study, values, verdicts, k);
+    one["at_end_of_range"] = at_ends(study, one["parameters"]);
     return one;
   };
   for (std::size_t s = 0; s < best_of.size(); ++s) {
@@ -200,11 +214,15 @@ std::string minimise_text(const Json& j) {
   std::string text = fmt::format("smallest {}: {}", what, five_digits(best["value"], unit));
   if (best["low"].is_number() || best["high"].is_number())
     text += fmt::format(" (95 % interval {} to {})", five_digits(best["low"]), five_digits(best["high"], unit));
-  text += fmt::format(", {} {}\n",
+  const Json& start = j["start"];
+  text += fmt::format(", {} {}{}\n",
                       j["method"] == name_of(MinimiseMethod::direct) ? "in the middle of the ranges" : "at the start",
-                      five_digits(j["start"]["value"], unit));
+                      five_digits(start["value"], unit),
+                      start["value"].is_number() && start["within_limits"] == false ? ", outside the limits" : "");
+  const Json at_end = best.value("at_end_of_range", Json::array());
   for (const auto& [name, value] : best["parameters"].items())
-    text += fmt::format("  {} = {}\n", name, five_digits(value, j["units"].value(name, "1")));
+    text += fmt::format("  {} = {}{}\n", name, five_digits(value, j["units"].value(name, "1")),
+                        std::ranges::find(at_end, Json(name)) != at_end.end() ? "  <- end of its range" : "");
   for (const auto& limit : best["limits"]) {
     const std::string its = limit["unit"];
     if (limit.contains("max"))
