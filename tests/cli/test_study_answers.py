@@ -130,6 +130,18 @@ class StudyAnswers(ProgramTest):
         self.refused(VARY + size + pair + pair, "two [[correlation]] are of contact.friction_coefficient and contact.air_gap")
         self.refused(VARY + size + '[derived]\na = { formula = "' + "-" * 50000 + '1" }\n', "more than 10000 characters")
 
+    def test_a_key_that_is_also_a_result_has_a_column_of_each(self):
+        self.study('case = "drop.toml"\n[vary]\nrun.ambient = [280, 300]\nrun.end_time = ["15 ms", "20 ms"]\n[design]\nkind = "list"\n', "out", "--set", 'run.until="5 ms"')
+        header, *rows = [line.split(",") for line in (self.folder / "out/study.csv").read_text().splitlines()]
+        self.assertEqual(len(set(header)), len(header))
+        column = {name: [row[i] for row in rows] for i, name in enumerate(header)}
+        for name, values, results in (("run.ambient", ["280", "300"], ["280", "300"]), ("run.end_time", ["0.015", "0.02"], ["0.005", "0.005"])):
+            self.assertEqual(column[name], values)
+            self.assertEqual(column[f"results/{name}"], results)
+
+    def test_a_name_of_ones_own_for_several_keys_is_no_name_of_a_result(self):
+        self.refused(VARY + 'energy.dissipated = { keys = ["bearings.TB1.support.C_y"], values = [2e3, 8e3] }\n[design]\nsize = 2\n', "vary.energy.dissipated: every drop has a result of this name")
+
     def test_drops_that_end_before_the_rotor_touches_anything_meet_no_limit(self):
         # Free fall through 250 um takes 7.1 ms, through 400 um 9.0 ms.
         text = ('case = "drop.toml"\n[vary]\ncontact.air_gap = { values = ["200 um", "250 um", "400 um", "500 um"] }\n'

@@ -190,6 +190,11 @@ ProbedResults probe_results(Study& study, const Design& design, const Evaluator&
   std::vector<std::string> names;
   for (const auto& scalar : result.scalars) names.push_back(scalar.first);
   Faults faults;
+  for (const auto& p : study.parameters)
+    if (std::ranges::find(names, p.name) != names.end() &&
+        std::ranges::none_of(p.keys, [&](const DeclaredKey& key) { return key.name == p.name; }))
+      faults.add(p.where, fmt::format("vary.{}: every drop has a result of this name.", p.name),
+                 "Choose another name.");
   for (const auto& derived : study.derived) {
     if (std::find(names.begin(), names.end(), derived.name) != names.end())
       faults.add(derived.where, fmt::format("derived.{}: every drop has a result of this name.", derived.name),

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <set>
 #include <string_view>
 
 #include "base/version.h"
@@ -213,11 +214,16 @@ void write_shard_hdf5(const std::filesystem::path& file, const Study& study, con
 
 void write_study_csv(const std::filesystem::path& file, const Study& study, const Design& design,
                      const StudyTable& table) {
+  std::set<std::string> parameters;
+  for (const auto& p : study.parameters)
+    for (const auto& name : names_of(p)) parameters.insert(name);
   std::string text = "point,design_row,replicate,status,reason";
   if (!design.steps.empty()) text += ",search,evaluation";
   for (const auto& p : study.parameters)
     for (const auto& name : names_of(p)) text += "," + cell(name);
-  for (const auto& result : table.results) text += "," + cell(result.name);
+  // A drop may end before the varied run.end_time: the result keeps its own column, with its name in study.h5.
+  for (const auto& result : table.results)
+    text += "," + cell((parameters.contains(result.name) ? "results/" : "") + result.name);
   text += "\n";
   for (std::size_t k = 0; k < table.n_points; ++k) {
     const StudyPoint point = point_of(study, design, k);
