@@ -24,9 +24,21 @@ std::string when(const RunWarning& w) {
   return std::isfinite(w.time) ? fmt::format(" at {:.4g} ms", w.time * 1e3) : "";
 }
 
+/// Of a balance in which an energy or a heat is no number, which a part of one's own may give.
+std::string not_a_number(const RunWarning& w) {
+  const std::string_view code = w.kind->code;
+  const std::string what = code == "energy-residual" ? std::string("the energy balance")
+                           : code == "heat-residual"
+                               ? fmt::format("the heat balance of the thermal model \"{}\"", w.part)
+                               : std::string("the heat that the support puts into a thermal model");
+  return fmt::format("{} is not a number{}: a part of the model gives one that is none", what, when(w));
+}
+
 /// What happened, without its place.
 std::string sentence(const RunWarning& w) {
   const std::string_view code = w.kind->code;
+  if (!std::isfinite(w.worst) && (code == "energy-residual" || code == "heat-residual" || code == "heat-port"))
+    return not_a_number(w);
   if (code == "energy-residual")
     return fmt::format(
         "the energy balance leaves up to {:.2g} % of the energy moved{} (limit {:.2g} %). Smaller integration.step or "
