@@ -29,6 +29,11 @@ class Parser {
  public:
   Parser(const std::string& text, std::vector<std::string>& names) : text_(text), names_(names) {}
 
+  /// Whether a character may stand in a name without quotes.
+  static bool belongs(char c) {
+    return std::isalnum(static_cast<unsigned char>(c)) || c == '_' || c == '.' || c == '[' || c == ']';
+  }
+
   Child parse() {
     constexpr std::size_t longest =
         10'000;  // each sign and operator takes a step down when a formula is read and when it is evaluated
@@ -95,7 +100,10 @@ class Parser {
       const double number = std::strtod(text_.c_str() + at_, &end);
       at_ = static_cast<std::size_t>(end - text_.c_str());
       if (end == text_.c_str() || !std::isfinite(number)) fail("a number is malformed");
+      if (at_ < text_.size() && belongs(text_[at_])) fail_within_name();
       result = make([number](const Values&) { return number; });
+    } else if (c == '\'' || c == '"') {
+      result = number_called(quoted_name(c));
     } else if (std::isalpha(static_cast<unsigned char>(c)) || c == '_') {
       result = named(name());
     } else {
@@ -104,10 +112,23 @@ class Parser {
     --depth_;
     return result;
   }
+  /// A number that goes on as a name does, as in bearings.DE-1.peak_contact_force.
+  [[noreturn]] void fail_within_name() const {
+    const auto is_of_word = [](char c) { return belongs(c) || c == '-'; };
+    std::size_t begin = at_, end = at_;
+    while (begin > 0 && is_of_word(text_[begin - 1])) --begin;
+    while (end < text_.size() && is_of_word(text_[end])) ++end;
+    const std::string word = text_.substr(begin, end - begin);
+    fail("\"" + word + "\" is neither a number nor a name; if it is one, write it in quotes: '" + word + "',");
+  }
+  std::string quoted_name(char quote) {
+    const std::size_t begin = ++at_, end = text_.find(quote, begin);
+    if (end == std::string::npos) fail("a name in quotes is not closed");
+    if (end == begin) fail("a name in quotes is empty");
+    at_ = end + 1;
+    return text_.substr(begin, end - begin);
+  }
   std::string name() {
-    const auto belongs = [](char c) {
-      return std::isalnum(static_cast<unsigned char>(c)) || c == '_' || c == '.' || c == '[' || c == ']';
-    };
     const std::size_t begin = at_;
     while (at_ < text_.size() && belongs(text_[at_])) ++at_;
     return text_.substr(begin, at_ - begin);
@@ -115,6 +136,9 @@ class Parser {
   Child named(const std::string& word) {
     if (skip() == '(') return function(word);
     if (word == "pi") return make([](const Values&) { return std::numbers::pi; });
+    return number_called(word);
+  }
+  Child number_called(const std::string& word) {
     const auto found = std::find(names_.begin(), names_.end(), word);
     const auto index = static_cast<std::size_t>(found - names_.begin());
     if (found == names_.end()) names_.push_back(word);
@@ -165,6 +189,17 @@ Expression::Expression(Expression&&) noexcept = default;
 Expression& Expression::operator=(Expression&&) noexcept = default;
 Expression::Expression(const Expression& other) = default;
 Expression& Expression::operator=(const Expression& other) = default;
+
+std::string advice_on_quotes(const Expression& formula, const std::vector<std::string>& known) {
+  const std::string& text = formula.text();
+  for (const auto& name : known) {
+    if (std::all_of(name.begin(), name.end(), Parser::belongs)) continue;
+    const auto at = text.find(name);
+    if (at == std::string::npos || (at > 0 && (text[at - 1] == '\'' || text[at - 1] == '"'))) continue;
+    return "Write this name in quotes, since - would be a minus: '" + name + "'.";
+  }
+  return "";
+}
 
 double Expression::value(const std::vector<double>& values) const { return root_->value(values); }
 

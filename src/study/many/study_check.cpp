@@ -201,8 +201,11 @@ ProbedResults probe_results(Study& study, const Design& design, const Evaluator&
                  "Choose another name.");
     for (const auto& name : derived.formula.names())
       if (std::find(names.begin(), names.end(), name) == names.end()) {
+        const std::string advice = advice_on_quotes(derived.formula, names);
         faults.add(derived.where, fmt::format("derived.{}: no result is called \"{}\".", derived.name, name),
-                   suggestion(name, names, "Formulas use the names of summary.json (docs/reference/results.md)."));
+                   !advice.empty() ? advice
+                                   : suggestion(name, names,
+                                                "Formulas use the names of summary.json (docs/reference/results.md)."));
       }
   }
   faults.throw_if_any();

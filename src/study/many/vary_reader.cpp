@@ -323,10 +323,11 @@ void resolve_formulas(Study& study, Faults& faults) {
         parameter.formula_of.push_back(*found);
         continue;
       }
+      const std::string advice = advice_on_quotes(*parameter.formula, known);
       faults.add(parameter.where,
                  fmt::format("vary.{}: its formula uses \"{}\", which is not a drawn parameter with numbers.",
                              parameter.name, name),
-                 suggestion(name, known, fmt::format("Drawn: {}.", fmt::join(known, ", "))));
+                 !advice.empty() ? advice : suggestion(name, known, fmt::format("Drawn: {}.", fmt::join(known, ", "))));
     }
   }
 }

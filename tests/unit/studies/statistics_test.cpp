@@ -88,6 +88,22 @@ TEST(Distribution, TakesDiscreteValuesByTheirWeights) {
   EXPECT_EQ(d.index(1. - 1e-17), 2U);
 }
 
+// "-" in a name is a minus without quotes; what follows may be a number or a name.
+TEST(Expression, TellsOfNamesThatNeedQuotes) {
+  try {
+    const Expression formula("max(bearings.DE-1.force, 0)");
+    FAIL() << formula.text();
+  } catch (const std::invalid_argument& error) {
+    EXPECT_NE(std::string(error.what()).find("write it in quotes: 'bearings.DE-1.force'"), std::string::npos)
+        << error.what();
+  }
+  const std::vector<std::string> known{"bearings.A.force", "bearings.DE-A.force"};
+  EXPECT_EQ(advice_on_quotes(Expression("2 * bearings.DE-A.force"), known),
+            "Write this name in quotes, since - would be a minus: 'bearings.DE-A.force'.");
+  EXPECT_EQ(advice_on_quotes(Expression("2 * 'bearings.DE-A.force' + b"), known), "");
+  EXPECT_EQ(advice_on_quotes(Expression("bearings.A.force - b"), known), "");
+}
+
 TEST(Expression, FollowsTheRulesOfArithmetic) {
   const auto value = [](const char* text, const std::vector<double>& values = {}) {
     return Expression(text).value(values);
@@ -100,6 +116,13 @@ TEST(Expression, FollowsTheRulesOfArithmetic) {
   const Expression e("a.b[0].c + 2 * other");
   EXPECT_EQ(e.names(), (std::vector<std::string>{"a.b[0].c", "other"}));
   EXPECT_DOUBLE_EQ(e.value({1., 10.}), 21.);
-  for (const char* bad : {"", "1 +", "(1", "1 2", "sin(1, 2)", "what(1)", "3 $ 4"})
+  for (const char* text : {"max('a.DE-1.b', 0) - x-2", "max(\"a.DE-1.b\", 0) - x - 2"}) {
+    const Expression quoted(text);
+    EXPECT_EQ(quoted.names(), (std::vector<std::string>{"a.DE-1.b", "x"}));
+    EXPECT_DOUBLE_EQ(quoted.value({7., 3.}), 2.);
+  }
+  EXPECT_DOUBLE_EQ(Expression("'pi' + pi").value({1.}), 1. + std::acos(-1.)) << "a name in quotes is no constant";
+  for (const char* bad :
+       {"'a", "''", "2x", "max(a.DE-1.b, 0)", "", "1 +", "(1", "1 2", "sin(1, 2)", "what(1)", "3 $ 4"})
     EXPECT_THROW(Expression{bad}, std::invalid_argument) << bad;
 }
