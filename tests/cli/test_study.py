@@ -491,6 +491,9 @@ kind = "list"
         self.assertEqual([m["message"] for m in browser.log("browser")], [])
         self.assertEqual([url for url in browser.requests() if not url.startswith(("file:", "data:"))], [])
         self.assertEqual(browser.run("return document.querySelectorAll('#response circle').length"), 2 * 12)
+        # More numbers than a function takes as arguments, some 120 000.
+        self.assertEqual(browser.run("const x = scaleOf({ values: Array.from({ length: 300000 }, (_, i) => i) }, 0, 1); return [x.at(0) < 0.1, x.at(299999) > 0.9]"), [True, True])
+        self.assertEqual(browser.run("return element('g', {}, Array.from({ length: 150000 }, () => 'x')).childNodes.length"), 150000)
         self.assertEqual(browser.run("return document.querySelectorAll('#worst-points tbody tr').length"), 10)
         self.assertIn("--point", browser.run("return document.querySelector('#worst-points tbody tr').textContent"))
         with h5py.File(self.folder / "out/study.h5") as h5:

@@ -17,7 +17,7 @@ function tickText(value, step) {
 function element(name, attributes, ...children) {
   const made = DRAWN.has(name) ? document.createElementNS(SVG, name) : document.createElement(name);
   for (const [key, value] of Object.entries(attributes || {})) made.setAttribute(key, value);
-  made.append(...children.filter((child) => child !== null));
+  for (const child of children.flat()) if (child !== null) made.append(child);  // a list of many may be a child: as arguments they would not fit on the stack
   return made;
 }
 

@@ -20,6 +20,13 @@ function ticks(low, high, n) {
   return made;
 }
 
+// Smallest and largest of any number of numbers.
+function endsOf(numbers) {
+  let low = Infinity, high = -Infinity;
+  for (const v of numbers) { if (v < low) low = v; if (v > high) high = v; }
+  return [low, high];
+}
+
 // Where the median lies between the ends, 0 in the middle and 1/2 at either.
 function offCentre(numbers, f) {
   const sorted = numbers.map(f).sort((a, b) => a - b), low = sorted[0], high = sorted[sorted.length - 1];
@@ -34,7 +41,7 @@ function scaleOf(quantity, from, to, extra = []) {
     const at = (v) => from + ((names.indexOf(v) + 0.5) / names.length) * (to - from);
     return { at, ticks: names.map((name) => ({ value: name, text: name })) };
   }
-  let low = Math.min(...numbers), high = Math.max(...numbers);
+  let [low, high] = endsOf(numbers);
   if (!(low < high)) { low -= Math.abs(low) * 0.1 || 1; high += Math.abs(high) * 0.1 || 1; }
   const isLog = low > 0 && high / low > 50 && offCentre(numbers, Math.log10) < offCentre(numbers, (v) => v);
   const f = isLog ? Math.log10 : (v) => v;
@@ -72,7 +79,7 @@ function overlay(figure) {
   figure.measured.times.forEach((t, i) => parts.push(element("circle", { class: "measured", cx: x.at(t).toFixed(1), cy: y.at(figure.measured.values[i]).toFixed(1), r: 1.8 })));
   figure.curves.forEach((curve, c) => parts.push(element("path", { class: `curve curve-${figure.curves.length - c}`, d: curve.times.map((t, i) => `${i ? "L" : "M"}${x.at(t).toFixed(1)} ${y.at(curve.values[i]).toFixed(1)}`).join("") })));
   all.forEach((curve, c) => parts.push(element("text", { class: c ? `name curve-${figure.curves.length - c + 1}` : "name measured", x: margin.left + 8 + 110 * c, y: 14 }, curve.name)));
-  return element("figure", {}, element("svg", { viewBox: `0 0 ${width} ${height}`, style: `max-width:${width}px`, role: "img", "aria-label": `measured and computed ${figure.name}` }, ...parts));
+  return element("figure", {}, element("svg", { viewBox: `0 0 ${width} ${height}`, style: `max-width:${width}px`, role: "img", "aria-label": `measured and computed ${figure.name}` }, parts));
 }
 
 const differenceTable = (list) => table(["series", "file", "values", "rms", ...(list.some((d) => isNumber(d.rms_start)) ? ["rms at the start"] : []), "mean", "largest", "at", "variance explained"],

@@ -59,7 +59,7 @@ function scatter(parameter, result) {
     made.onpointerleave = hideTip;
     return made;
   }
-  return element("figure", {}, element("svg", { viewBox: `0 0 ${width} ${height}`, role: "img", "aria-label": `${result.name} over ${parameter.name}` }, ...parts));
+  return element("figure", {}, element("svg", { viewBox: `0 0 ${width} ${height}`, role: "img", "aria-label": `${result.name} over ${parameter.name}` }, parts));
 }
 
 // Cumulative share of the points below a value.
@@ -83,7 +83,7 @@ function parallel(result, into) {
   const shown = result.values.map((_, k) => k).filter((k) => axes.every((axis) => axis.values[k] !== null)).slice(0, 3000);
   const xs = axes.map((_, i) => margin.left + (i / (axes.length - 1)) * (width - margin.left - margin.right));
   const scales = axes.map((axis) => scaleOf(axis, height - margin.bottom, margin.top));
-  const values = shown.map((k) => result.values[k]), low = Math.min(...values), high = Math.max(...values);
+  const values = shown.map((k) => result.values[k]), [low, high] = endsOf(values);
   const colour = (v) => { const t = high > low ? (v - low) / (high - low) : 0.5; return `hsl(${230 - 215 * t} 75% ${52 - 10 * t}%)`; };
   const lines = shown.map((k) => {
     const line = element("path", { d: axes.map((axis, i) => `${i ? "L" : "M"}${xs[i].toFixed(1)} ${scales[i].at(axis.values[k]).toFixed(1)}`).join(""), fill: "none", stroke: colour(result.values[k]), "stroke-opacity": shown.length > 500 ? 0.35 : 0.6 });
@@ -205,7 +205,7 @@ function course(m) {
     parts.push(dot);
   }
   if (d) parts.push(element("path", { class: "middle", d: d + `H${width - margin.right}` }));
-  return element("figure", {}, element("svg", { viewBox: `0 0 ${width} ${height}`, style: `max-width:${width}px`, role: "img", "aria-label": "course of the search" }, ...parts));
+  return element("figure", {}, element("svg", { viewBox: `0 0 ${width} ${height}`, style: `max-width:${width}px`, role: "img", "aria-label": "course of the search" }, parts));
 }
 
 function showSearch() {
@@ -221,9 +221,9 @@ function showSurrogates() {
   const s = data.surrogate, entries = Object.entries(s.results);
   const figures = entries.filter(([, r]) => r.predicted).map(([name, r]) => {
     const width = 380, height = 320, margin = { left: 68, right: 10, top: 8, bottom: 40 }, all = { values: [...r.computed, ...r.predicted] };
-    const x = scaleOf(all, margin.left, width - margin.right), y = scaleOf(all, height - margin.bottom, margin.top), low = Math.min(...all.values), high = Math.max(...all.values);
+    const x = scaleOf(all, margin.left, width - margin.right), y = scaleOf(all, height - margin.bottom, margin.top), [low, high] = endsOf(all.values);
     return element("figure", {}, element("svg", { viewBox: `0 0 ${width} ${height}`, role: "img", "aria-label": `predicted over computed ${name}` }, ...frame(width, height, x, y, label({ name, unit: r.unit }), "predicted", margin),
-      element("line", { class: "middle", x1: x.at(low), x2: x.at(high), y1: y.at(low), y2: y.at(high) }), ...r.computed.map((v, i) => element("circle", { class: "point", cx: x.at(v).toFixed(1), cy: y.at(r.predicted[i]).toFixed(1), r: 2 }))));
+      element("line", { class: "middle", x1: x.at(low), x2: x.at(high), y1: y.at(low), y2: y.at(high) }), r.computed.map((v, i) => element("circle", { class: "point", cx: x.at(v).toFixed(1), cy: y.at(r.predicted[i]).toFixed(1), r: 2 }))));
   });
   section("Surrogates", table(["result", "points", "variance explained", "rms error", "indices: first, total"], entries.map(([name, r]) => [label({ name, unit: r.unit }), r.points > r.n ? `${r.n} of ${r.points}` : String(r.n), r.reason || (isNumber(r.q2) ? (r.q2 > 0 ? `${short(100 * r.q2)} %` : "nothing") : "–"), short(r.rmse), r.q2 > 0 ? Object.entries(r.indices || {}).map(([p, i]) => `${p} ${short(i.first)}, ${short(i.total)}`).join("; ") : "–"])),
     element("div", { class: "small" }, ...figures), element("p", { class: "note" }, `${s.kind}; every point is predicted by a surrogate made from the other parts of the points (${s.folds}, or fewer where there are less).`));
