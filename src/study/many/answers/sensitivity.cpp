@@ -182,9 +182,11 @@ std::vector<Estimate> FirstIndices::first(const std::vector<double>& y) const {
     };
     const FirstIndex of_all = index(nullptr);
     Estimate estimate{of_all.value, {}, {}};
-    if (order.size() >= 20 && halves_.size() > 1) {
-      std::vector<double> of_halves;
+    std::vector<double> of_halves;
+    if (order.size() >= 20)
       for (const auto& half : halves_) of_halves.push_back(index(half.data()).value);
+    std::erase_if(of_halves, [](double v) { return !std::isfinite(v); });  // in which nothing varies
+    if (of_halves.size() > 1) {
       const double width = 1.959963984540054 * deviation_of(of_halves);
       estimate.low = of_all.value - of_all.excess - width;
       estimate.high = of_all.value + std::max(width, of_all.value - mean_of(of_halves));
