@@ -115,7 +115,9 @@ def outcome(r):
 def line(words, r):
     if r is None:
         return f"| {words} | no result | | | | | |\n"
-    end, point = r["end"], next((p for p in r["operating_points"] if p["stable"]), None)
+    end, stable = r["end"], [p for p in r["operating_points"] if p["stable"]]
+    at = end.get("operating_point")
+    point = r["operating_points"][at] if at is not None else stable[0] if stable else None
     highest = max(end["temperatures"].values()) - 273.15
     gain = f"{point['loop_gain']:.2f}" if point else "-"
     return (f"| {words} | {outcome(r)} | {r['cold']['preload']:.0f} | {end['largest_preload']:.0f} | {end['state']['preload']:.0f} | {end['state']['heat']:.0f} | {highest:.0f} | {gain} |\n")

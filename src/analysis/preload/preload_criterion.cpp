@@ -1,43 +1,13 @@
 #include "analysis/preload/preload_criterion.h"
 
-#include <Eigen/Dense>
 #include <algorithm>
-#include <array>
 #include <cmath>
 
+#include "analysis/preload/folded_rests.h"
 #include "base/errors.h"
 
 namespace rotordrop {
 namespace {
-
-using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-
-/// Gradients by the growth of each surface.
-struct Gradients {
-  Expansion heat;     ///< [W/m]
-  Expansion preload;  ///< [N/m]
-};
-
-Gradients gradients_at(const RunningBearing& bearing, const Expansion& growth) {
-  constexpr double step =
-      2e-8;  // [m]: far below the balls' approach of some micrometres, far above the equilibrium's tolerance
-  Gradients g;
-  for (auto surface : growth_surfaces) {
-    std::array<RunningState, 4> at;
-    const std::array<double, 4> places = {-2., -1., 1., 2.};
-    for (std::size_t i = 0; i < 4; ++i) {
-      Expansion moved = growth;
-      moved.*surface += places[i] * step;
-      at[i] = bearing.at(moved);
-    }
-    const auto derivative = [&](double RunningState::*value) {
-      return (8. * (at[2].*value - at[1].*value) - (at[3].*value - at[0].*value)) / (12. * step);
-    };
-    g.heat.*surface = derivative(&RunningState::heat);
-    g.preload.*surface = derivative(&RunningState::preload);
-  }
-  return g;
-}
 
 struct Sample {
   double heat = 0, made = 0;
@@ -115,8 +85,8 @@ double largest_heat(Samples& sample, double first, LimitMet& met) {
   return inside;
 }
 
-/// Phi(Q) - Q changes its sign between a and b. Nothing where it jumps: balls of a steady state may lose their load, and with it their heat conduction, all at once.
-std::optional<Sample> crossing(Samples& sample, Sample a, Sample b) {
+/// Where Phi(Q) - Q changes its sign between a and b, by halving; nothing where it jumps, or no steady state is found: then a and b stand on both sides of that.
+std::optional<Sample> crossing(Samples& sample, Sample& a, Sample& b) {
   while (b.heat - a.heat > 1e-12 * b.heat) {
     const double middle = 0.5 * (a.heat + b.heat);
     if (middle <= a.heat || middle >= b.heat) break;
@@ -126,6 +96,31 @@ std::optional<Sample> crossing(Samples& sample, Sample a, Sample b) {
   }
   if (std::fabs(b.excess()) > 1e-5 * b.heat) return {};
   return b;
+}
+
+/// Whether T(Q) jumps between a and b, because balls lose their load, or find it, all at once; then a and b stand on both sides of that.
+bool find_jump(Samples& sample, const PreloadLoop& loop, Sample& a, Sample& b) {
+  if (!loop.bearing().balls_roll()) return false;
+  constexpr double change = 0.3;  // of what balls conduct: neighbours on one branch differ by some hundredths
+  const auto conduct = [&](const Sample& s) { return sum_of(loop.balls(s.T)); };
+  double of_a = conduct(a), of_b = conduct(b);
+  const double at_first = std::fabs(of_b - of_a);
+  if (at_first <= change * std::max(of_a, of_b)) return false;
+  while (b.heat - a.heat > 1e-9 * b.heat) {
+    Sample m = sample(0.5 * (a.heat + b.heat));
+    if (!m.has_state()) return true;
+    const double of_m = conduct(m);
+    if (std::fabs(of_m - of_a) > std::fabs(of_b - of_m)) {
+      b = std::move(m);
+      of_b = of_m;
+    } else {
+      a = std::move(m);
+      of_a = of_m;
+    }
+    // Balls that just touch conduct with the cube root of a load: steep, but no jump.
+    if (std::fabs(of_b - of_a) < 0.3 * at_first) return false;
+  }
+  return true;
 }
 
 /// Two operating points may lie between neighbouring samples: where Phi(Q) - Q turns back towards zero without reaching it, the turning
@@ -163,15 +158,38 @@ std::vector<Sample> with_turning_points(Samples& sample, std::vector<Sample> lin
   return all;
 }
 
-OperatingPoint point_of(const PreloadLoop& loop, const Sample& s) {
+OperatingPoint point_of(const PreloadLoop& loop, std::span<const double> T, double heat) {
   OperatingPoint p;
-  p.heat = s.heat;
-  p.T = s.T;
-  p.highest_temperature = loop.highest_temperature(s.T, s.heat);
-  p.state = loop.state(s.T);
-  p.growth = loop.growth(s.T);
-  p.response = response_at(loop, s.T);
+  p.heat = heat;
+  p.T.assign(T.begin(), T.end());
+  p.highest_temperature = loop.highest_temperature(T, heat);
+  p.state = loop.state(T);
+  p.growth = loop.growth(T);
+  p.response = response_at(loop, T);
   return p;
+}
+
+double distance(std::span<const double> a, std::span<const double> b) {
+  double largest = 0.;
+  for (std::size_t k = 0; k < a.size(); ++k) largest = std::max(largest, std::fabs(a[k] - b[k]));
+  return largest;
+}
+
+/// The operating point in a place, if it is among them.
+std::optional<std::size_t> point_at(const std::vector<OperatingPoint>& points, std::span<const double> T,
+                                    double tolerance) {
+  for (std::size_t i = 0; i < points.size(); ++i)
+    if (distance(points[i].T, T) < tolerance) return i;
+  return {};
+}
+
+/// Two that are found in two ways are one if they are as near as this, per kelvin of rise: between what both ways leave (1e-9) and what is left between two points about to meet.
+constexpr double same_point = 1e-5;
+
+/// Limits so much higher that a point which has just passed one is within them, as the search for a critical factor ends within 1e-4.
+PreloadLimits limits_beyond(const PreloadLimits& limits, double ambient) {
+  constexpr double more = 0.01;
+  return {limits.temperature + more * (limits.temperature - ambient), (1. + more) * limits.pressure};
 }
 
 }  // namespace
@@ -181,53 +199,6 @@ LimitMet limit_met(const PreloadLoop& loop, const PreloadLimits& limits, std::sp
   if (state.largest_pressure > limits.pressure) return LimitMet::pressure;
   if (loop.highest_temperature(T, state.heat) > limits.temperature) return LimitMet::temperature;
   return LimitMet::none;
-}
-
-LoopResponse response_at(const PreloadLoop& loop, std::span<const double> T) {
-  const std::size_t n = loop.size();
-  const auto rows = static_cast<Eigen::Index>(n);
-  const double heat = loop.state(T).heat;
-  const auto J_values = loop.jacobian(T, heat);
-  const Eigen::Map<const Matrix> J(J_values.data(), rows, rows);
-  Eigen::VectorXd b(rows), with(rows), c(rows), preload_by_T(rows);
-  loop.rates(T, heat, {b.data(), n});
-  loop.rates(T, heat + 1., {with.data(), n});
-  b = with - b;
-
-  const Expansion growth = loop.growth(T);
-  const Gradients gradients = gradients_at(loop.bearing(), growth);
-  std::vector<Expansion> growth_by_T(n);
-  std::vector<double> warmer(T.begin(), T.end());
-  for (std::size_t k = 0; k < n; ++k) {
-    warmer[k] += 1.;
-    growth_by_T[k] = combined(1., loop.growth(warmer), -1., growth);
-    warmer[k] = T[k];
-    c[static_cast<Eigen::Index>(k)] = gradients.heat.dot(growth_by_T[k]);
-    preload_by_T[static_cast<Eigen::Index>(k)] = gradients.preload.dot(growth_by_T[k]);
-  }
-
-  LoopResponse r;
-  const Eigen::VectorXd T_by_heat = -J.partialPivLu().solve(b);
-  r.gain = c.dot(T_by_heat);
-  r.preload_per_heat = preload_by_T.dot(T_by_heat);
-  if (r.preload_per_heat != 0.) r.heat_per_preload = r.gain / r.preload_per_heat;
-  for (std::size_t k = 0; k < n; ++k)
-    r.growth_per_heat = combined(1., r.growth_per_heat, T_by_heat[static_cast<Eigen::Index>(k)], growth_by_T[k]);
-
-  const Eigen::VectorXcd values = Eigen::EigenSolver<Eigen::MatrixXd>(J + b * c.transpose(), false).eigenvalues();
-  r.eigenvalue =
-      *std::max_element(values.begin(), values.end(), [](const auto& x, const auto& y) { return x.real() < y.real(); });
-  r.largest_gain = r.gain;
-  constexpr int n_rates = 220;  // from 1e-8 to 1e3 1/s
-  for (int k = 0; k <= n_rates; ++k) {
-    const double s = std::pow(10., -8. + 0.05 * k);
-    const double gain = c.dot((s * Matrix::Identity(rows, rows) - J).partialPivLu().solve(b));
-    if (gain > r.largest_gain) {
-      r.largest_gain = gain;
-      r.largest_gain_time = 1. / s;
-    }
-  }
-  return r;
 }
 
 const OperatingPoint* OperatingPoints::first_stable() const {
@@ -251,17 +222,31 @@ OperatingPoints find_operating_points(const PreloadLoop& loop, const PreloadLimi
         ++found.n_without_state;
     }
     line = with_turning_points(sample, std::move(line));
-    const auto add = [&](const Sample& s) {
+    bool has_jumped = false;  // from then on a point may be found in two ways
+    const auto add = [&](std::span<const double> T, double heat) {
+      const double rise = std::fabs(T[0] - line.front().T[0]);
+      if (has_jumped && point_at(found.points, T, same_point * (1. + rise))) return;
       try {
-        found.points.push_back(point_of(loop, s));
+        found.points.push_back(point_of(loop, T, heat));
       } catch (const SolverError&) {  // no state just beside it, and so no response
         ++found.n_without_state;
       }
     };
-    if (line.front().excess() == 0.) add(line.front());  // it makes no heat at all
-    for (std::size_t i = 1; i < line.size(); ++i)
-      if (line[i - 1].excess() != 0. && (line[i].excess() > 0.) != (line[i - 1].excess() > 0.))
-        if (const auto at = crossing(sample, line[i - 1], line[i])) add(*at);
+    if (line.front().excess() == 0.) add(line.front().T, 0.);  // it makes no heat at all
+    for (std::size_t i = 1; i < line.size(); ++i) {
+      Sample a = line[i - 1], b = line[i];
+      const bool changes_sign = a.excess() != 0. && (b.excess() > 0.) != (a.excess() > 0.);
+      const auto at = changes_sign ? crossing(sample, a, b) : std::nullopt;
+      if (at) {
+        add(at->T, at->heat);
+      } else if (changes_sign || find_jump(sample, loop, a, b)) {
+        has_jumped = true;
+        for (const auto& T : rests_between(loop, a.T, b.T)) {
+          const RunningState state = loop.state(T);
+          if (limit_met(loop, limits, T, state) == LimitMet::none) add(T, state.heat);
+        }
+      }
+    }
   }
   for (const auto& s : line) {
     found.heat.push_back(s.heat);
@@ -270,12 +255,32 @@ OperatingPoints find_operating_points(const PreloadLoop& loop, const PreloadLimi
   return found;
 }
 
+std::optional<std::size_t> add_settled(const PreloadLoop& loop, std::span<const double> T, OperatingPoints& points) {
+  constexpr double near = 0.05;  // of the rise: what is left of the slowest mode
+  const double rise = std::fabs(T[0] - loop.cold()[0]);
+  try {
+    if (const auto rest = rest_near(loop, T)) {
+      if (const auto known = point_at(points.points, *rest, same_point * (1. + rise))) return known;
+      points.points.push_back(point_of(loop, *rest, loop.state(*rest).heat));
+      return points.points.size() - 1;
+    }
+    // Balls that touch by picometres have no slope for Newton's method.
+    std::optional<std::size_t> nearest;
+    for (std::size_t i = 0; i < points.points.size(); ++i)
+      if (distance(points.points[i].T, T) < (nearest ? distance(points.points[*nearest].T, T) : near * (1. + rise)))
+        nearest = i;
+    return nearest;
+  } catch (const SolverError&) {
+    return {};
+  }
+}
+
 std::optional<CriticalFactor> find_critical_factor(
     const std::function<std::unique_ptr<PreloadLoop>(double factor)>& loop_with, double towards,
     const PreloadLimits& limits) {
-  const auto points_at = [&](double factor) {
+  const auto points_at = [&](double factor, const PreloadLimits& within) {
     try {
-      return find_operating_points(*loop_with(factor), limits);
+      return find_operating_points(*loop_with(factor), within);
     } catch (const SolverError&) {  // no rest of the bearing, not even a cold one
       OperatingPoints none;
       none.ended_by = LimitMet::no_state;
@@ -284,11 +289,11 @@ std::optional<CriticalFactor> find_critical_factor(
   };
   const auto is_good = [](const OperatingPoints& p) { return p.first_stable() != nullptr; };
   double good = 1., bad = 1.;
-  OperatingPoints last_good = points_at(1.), first_bad = last_good;
+  OperatingPoints last_good = points_at(1., limits), first_bad = last_good;
   const bool starts_good = is_good(last_good);
   for (int i = 0; i < 6; ++i) {
     const double next = starts_good ? good * towards : bad / towards;
-    auto points = points_at(next);
+    auto points = points_at(next, limits);
     const bool fine = is_good(points);
     (fine ? good : bad) = next;
     (fine ? last_good : first_bad) = std::move(points);
@@ -297,7 +302,7 @@ std::optional<CriticalFactor> find_critical_factor(
   if (!is_good(last_good) || is_good(first_bad)) return {};
   while (std::fabs(good - bad) > 1e-4 * good) {
     const double middle = std::sqrt(good * bad);
-    auto points = points_at(middle);
+    auto points = points_at(middle, limits);
     const bool fine = is_good(points);
     (fine ? good : bad) = middle;
     (fine ? last_good : first_bad) = std::move(points);
@@ -305,16 +310,12 @@ std::optional<CriticalFactor> find_critical_factor(
   CriticalFactor critical;
   critical.factor = good;
   critical.gain = last_good.first_stable()->response.gain;
-  // Just beyond, heat made comes closest to heat in balance at the limit, or before it (the loop's doing).
-  double least = HUGE_VAL;
-  std::size_t at = 0;
-  for (std::size_t i = 0; i < first_bad.heat.size(); ++i)
-    if (const double excess = first_bad.made[i] - first_bad.heat[i]; excess < least) {
-      least = excess;
-      at = i;
-    }
-  if (first_bad.points.empty() && (first_bad.heat.empty() || at + 1 == first_bad.heat.size()))
-    critical.by = first_bad.ended_by == LimitMet::no_state ? CriticalFactor::By::no_state : CriticalFactor::By::limit;
+  // Just beyond, a stable point is there still if limits alone ended it.
+  const PreloadLimits wider = limits_beyond(limits, loop_with(bad)->cold()[0]);
+  if (is_good(points_at(bad, wider)))
+    critical.by = CriticalFactor::By::limit;
+  else if (first_bad.points.empty() && first_bad.ended_by == LimitMet::no_state)
+    critical.by = CriticalFactor::By::no_state;
   return critical;
 }
 

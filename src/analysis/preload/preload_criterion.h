@@ -6,8 +6,8 @@
 // (dHeat/dPreload)(dPreload/du)(du/dT) R_thermal, with every surface, every port and the thermal model's own derivatives is
 //   L = dPhi/dQ = - c^T J^-1 b,
 // J = d rates / dT, b = d rates / dQ, c = dHeat/dT through growth. Perturbations follow dT/dt = (J + b c^T) T, and
-// det(J + b c^T) = det(J) (1 - L): at L = 1 an eigenvalue passes zero. L < 1 alone is not enough where the inner ring warms before the
-// outer one does; hence the eigenvalues themselves.
+// det(J + b c^T) = det(J) (1 - L): at L = 1 an eigenvalue passes zero. L < 1 is neither enough, where the inner ring warms before the outer
+// one does, nor necessary, where T(Q) folds back and J has a positive eigenvalue itself (folded_rests.h); hence the eigenvalues themselves.
 #include <complex>
 #include <functional>
 #include <optional>
@@ -28,16 +28,21 @@ LimitMet limit_met(const PreloadLoop& loop, const PreloadLimits& limits, std::sp
 
 /// How a loop responds near a state.
 struct LoopResponse {
-  double gain = 0;                      ///< L
-  double heat_per_preload = 0;          ///< along the response [W/N]
-  double preload_per_heat = 0;          ///< [N/W]; with the former the gain, where there is a preload
-  Expansion growth_per_heat;            ///< steady [m/W]
-  std::complex<double> eigenvalue = 0;  ///< of the largest real part [1/s]
-  double largest_gain = 0;              ///< of perturbations that grow as exp(s t), over s >= 0
-  double largest_gain_time = 0;         ///< 1/s there [s]; 0: at s = 0
+  double gain = 0;                                   ///< L
+  double heat_per_preload = 0;                       ///< along the response [W/N]
+  double preload_per_heat = 0;                       ///< [N/W]; with the former the gain, where there is a preload
+  Expansion growth_per_heat;                         ///< steady [m/W]
+  std::complex<double> eigenvalue = 0;               ///< of the largest real part [1/s]
+  std::complex<double> eigenvalue_of_held_heat = 0;  ///< the same of J
+  double largest_gain = 0;       ///< of perturbations that grow as exp(s t), over s >= 0; NaN if folded
+  double largest_gain_time = 0;  ///< 1/s there [s]; 0: at s = 0
   [[nodiscard]] bool is_stable() const { return eigenvalue.real() < 0.; }
+  /// Whether it would not hold if its heat were held: T(Q) folds back there.
+  [[nodiscard]] bool is_folded() const { return eigenvalue_of_held_heat.real() >= 0.; }
 };
 LoopResponse response_at(const PreloadLoop& loop, std::span<const double> T);
+/// Temperatures of the rest, Q = Phi(T), beside a start: Newton's method with J + b c^T. Nothing if there is none within a few hundredths of the rise.
+std::optional<std::vector<double>> rest_near(const PreloadLoop& loop, std::span<const double> start);
 
 struct OperatingPoint {
   double heat = 0;                 ///< Q = Phi(Q) [W]
@@ -48,7 +53,7 @@ struct OperatingPoint {
   LoopResponse response;
 };
 
-/// All operating points within the limits, by rising heat, and what was looked at.
+/// Operating points within the limits on the way of steady states that begins cold, its folds included, in the order of that way; and what was looked at.
 struct OperatingPoints {
   std::vector<OperatingPoint> points;
   std::vector<double> heat, made;  ///< Q and Phi(Q) of the search [W]
@@ -59,11 +64,16 @@ struct OperatingPoints {
 /// @throws SolverError if the bearing has no rest when cold
 OperatingPoints find_operating_points(const PreloadLoop& loop, const PreloadLimits& limits);
 
+/// The operating point at which a transient has settled; added if it is not among them, as one that no way of steady states from cold leads to.
+/// @param T  where it settled
+/// @returns its index, or nothing if there is no rest beside T
+std::optional<std::size_t> add_settled(const PreloadLoop& loop, std::span<const double> T, OperatingPoints& points);
+
 /// How far a loop may change until no stable operating point is left.
 struct CriticalFactor {
   double factor = 0;  ///< last one with a stable operating point
   double gain = 0;    ///< at that point
-  /// What ends it: loop gain (or eigenvalue), a limit met first, or a heat at which there is no steady state.
+  /// What ends it: loop gain (or eigenvalue), a limit beyond which there still is one, or a heat at which there is no steady state.
   enum class By { loop, limit, no_state } by = By::loop;
 };
 /// @param loop_with  the loop with something `factor` times as large

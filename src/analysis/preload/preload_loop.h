@@ -44,6 +44,9 @@ class PreloadLoop {
   [[nodiscard]] BallConduction balls(std::span<const double> T) const;
   /// Steady temperatures under a heat, the ones that the bearing comes to from `start` (steady_temperatures.cpp). @throws SolverError
   [[nodiscard]] std::vector<double> steady(double heat, std::span<const double> start) const;
+  /// Temperatures `T` become steady under a heat while the balls conduct what they are told: Newton's method, until the next step would be `accuracy` times the way so far or
+  /// less. From cold the film of the housing has hardly any slope, and one step alone leads thousands of kelvin too far. @throws SolverError
+  void relax(double heat, const BallConduction& held, double accuracy, std::vector<double>& T) const;
 
  private:
   [[nodiscard]] std::vector<HeatInput> inputs(double heat, const BallConduction& balls) const;

@@ -68,7 +68,8 @@ Json point_json(const PreloadLoop& loop, const OperatingPoint& p) {
   j["growth_per_heat"] = r.growth_per_heat.inner_race - r.growth_per_heat.outer_race;
   j["ball_growth_per_heat"] = r.growth_per_heat.ball;
   j["eigenvalue"] = {r.eigenvalue.real(), r.eigenvalue.imag()};
-  j["largest_gain"] = r.largest_gain;
+  j["eigenvalue_of_held_heat"] = {r.eigenvalue_of_held_heat.real(), r.eigenvalue_of_held_heat.imag()};
+  j["largest_gain"] = std::isfinite(r.largest_gain) ? Json(r.largest_gain) : Json(nullptr);
   j["largest_gain_time"] = r.largest_gain_time;
   j["stable"] = r.is_stable();
   return j;
@@ -141,7 +142,7 @@ PreloadTable points_over_speed(const Case& c, const std::string& bearing, const 
                  {{prefix + "preload", "N", "smaller axial force of opposed rows", 2, columns},
                   {prefix + "heat_rate", "W", "friction heat of the bearing", 2, columns},
                   {prefix + "highest_temperature", "K", "of all nodes", 2, columns},
-                  {prefix + "loop_gain", "1", "below 1 where the steady state can hold", 2, columns},
+                  {prefix + "loop_gain", "1", "dPhi/dQ; growth_rate tells whether the point is stable", 2, columns},
                   {prefix + "growth_rate", "1/s", "real part of the largest eigenvalue", 2, columns}},
                  "rad/s",
                  "speed of the inner ring"};
@@ -176,11 +177,11 @@ PreloadTable points_over_speed(const Case& c, const std::string& bearing, const 
 
 }  // namespace
 
-std::string verdict_of(const PreloadCourse& end, const OperatingPoints& points) {
+std::string verdict_of(const PreloadCourse& end, const OperatingPoints& points, std::optional<std::size_t> settled) {
   const bool has_stable = points.first_stable() != nullptr;
   if (end.limit != LimitMet::none && end.time == 0.) return "seized-from-the-start";
   if (end.limit != LimitMet::none) return has_stable ? "runs-away-on-the-way" : "runs-away";
-  if (end.is_settled && has_stable) return "stable";
+  if (end.is_settled && settled && points.points[*settled].response.is_stable()) return "stable";
   return "undecided";
 }
 
@@ -197,10 +198,12 @@ Json run_preload_loop(const Case& c, const std::string& bearing, std::vector<Pre
   const auto& b = touchdown_of(p, bearing);
 
   PreloadCourse end = follow_preload(*loop, p.preload, fmt::format("/{}/running/", bearing));
-  const auto points = find_operating_points(*loop, limits);
+  auto points = find_operating_points(*loop, limits);
+  std::optional<std::size_t> settled;
+  if (end.is_settled && end.limit == LimitMet::none) settled = add_settled(*loop, {end.y.data(), loop->size()}, points);
 
   Json j;
-  j["verdict"] = verdict_of(end, points);
+  j["verdict"] = verdict_of(end, points, settled);
   j["speed"] = speed;
   j["model"] = p.preload.model;
   j["force"] = p.preload.force;
@@ -209,6 +212,7 @@ Json run_preload_loop(const Case& c, const std::string& bearing, std::vector<Pre
   j["cold"] = state_json(loop->state(loop->cold()));
   j["limits"] = {{"temperature", limits.temperature}, {"pressure", limits.pressure}};
   j["end"] = ending_json(*loop, end);
+  j["end"]["operating_point"] = settled ? Json(*settled) : Json(nullptr);
   j["operating_points"] = Json::array();
   for (const auto& point : points.points) j["operating_points"].push_back(point_json(*loop, point));
   j["search"] = {{"largest_heat", points.heat.back()},

@@ -7,7 +7,8 @@ namespace rotordrop {
 
 /// Combined verdict of the time history and the criterion: "stable", "runs-away", "runs-away-on-the-way" (from cold, although a stable operating
 /// point exists), "seized-from-the-start", "undecided".
-std::string verdict_of(const PreloadCourse& way, const OperatingPoints& points);
+/// @param settled  which of the points the history settled at (add_settled)
+std::string verdict_of(const PreloadCourse& way, const OperatingPoints& points, std::optional<std::size_t> settled);
 
 /// One touchdown bearing running steadily from cold: its way in time, its operating points, what would have to change until none is left,
 /// and a verdict. Tables are added. See docs/how-to/preload.md for every key.

@@ -56,12 +56,20 @@ std::string critical_text(const Json& critical) {
   return text.empty() ? "" : "  a stable operating point exists " + text + "\n";
 }
 
-std::string point_text(const Json& p) {
+/// @param is_where_it_settled  told where there are several
+std::string point_text(const Json& p, bool is_where_it_settled) {
   const double gain = number(p, "loop_gain"), rate = p["eigenvalue"][0].get<double>();
-  std::string text = fmt::format("  operating point: {}\n    hottest {}; loop gain {:.3g}", state_text(p),
-                                 hottest(p["temperatures"]), gain);
+  const bool is_folded = p["eigenvalue_of_held_heat"][0].get<double>() >= 0.;
+  std::string text =
+      fmt::format("  operating point{}: {}\n    hottest {}; loop gain {:.3g}",
+                  is_where_it_settled ? ", where it settles" : "", state_text(p), hottest(p["temperatures"]), gain);
+  // Where steady states fold back over the heat, a stable point has a gain above 1.
+  if (is_folded)
+    text += " where steady states fold back";
+  else if (p["stable"].get<bool>())
+    text += fmt::format(" (margin {:.3g})", 1. - gain);
   if (p["stable"].get<bool>())
-    text += fmt::format(" (margin {:.3g}), stable; disturbances decay e-fold in {}", 1. - gain, duration(-1. / rate));
+    text += fmt::format(", stable; disturbances decay e-fold in {}", duration(-1. / rate));
   else
     text += fmt::format(", unstable; disturbances grow e-fold in {}", duration(1. / rate));
   return text + "\n";
@@ -115,7 +123,9 @@ std::string running_text(const std::string& name, const Json& r) {
         "  warning: centrifugal forces are {:.2g} times the ball loads when cold, and ball_model = \"quasi-static\" "
         "leaves them out\n",
         number(r["cold"], "centrifugal_over_load"));
-  for (const auto& point : r["operating_points"]) text += point_text(point);
+  const auto& points = r["operating_points"];
+  for (std::size_t i = 0; i < points.size(); ++i)
+    text += point_text(points[i], points.size() > 1 && end["operating_point"] == i);
   text += search_text(r["search"]);
   text += critical_text(r["critical"]);
   if (!r["load_law_sees_preload"].get<bool>())

@@ -305,7 +305,9 @@ TEST(PreloadVerdict, PutsWayAndCriterionTogether) {
   auto settings = preload_section().defaults();
   settings.temperature_limit = ambient + 300.;
   const auto verdict = [&](const PreloadLoop& loop) {
-    return verdict_of(follow_preload(loop, settings, "/"), find_operating_points(loop, preload_limits(settings)));
+    const auto way = follow_preload(loop, settings, "/");
+    auto points = find_operating_points(loop, preload_limits(settings));
+    return verdict_of(way, points, add_settled(loop, {way.y.data(), loop.size()}, points));
   };
   const double i = k * 0.5 * R, H_0 = 20.;
   EXPECT_EQ(verdict(*quick_and_slow(H_0, 0.2 / (i * i * H_0), 0.7 * k)), "stable");
