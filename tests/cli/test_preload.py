@@ -297,6 +297,8 @@ class Preload(ProgramTest):
                             if len(x) > 2 and not axes.get_ylabel().startswith("temperature"):
                                 seen = y[(x >= left) & (x <= right)]
                                 self.assertLessEqual(script.np.nanmax(seen), high, (name, axes.get_ylabel()))
+                                if line.get_label() == "unstable":
+                                    continue  # beside a state without load it has hardly any preload
                                 self.assertGreater(script.np.nanmax(seen), 0.05 * (high - low) + low, f"{name} {axes.get_ylabel()}: not a line along the axis")
                         # A legend that stands above its axes covers no line.
                         if axes.get_legend() and axes.get_ylabel() in ("heat [W]", "preload at operating point [N]"):
