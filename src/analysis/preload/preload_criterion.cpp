@@ -206,7 +206,7 @@ const OperatingPoint* OperatingPoints::first_stable() const {
   return found == points.end() ? nullptr : &*found;
 }
 
-OperatingPoints find_operating_points(const PreloadLoop& loop, const PreloadLimits& limits) {
+OperatingPoints find_operating_points(const PreloadLoop& loop, const PreloadLimits& limits, Wanted wanted) {
   constexpr int n_samples = 120;
   OperatingPoints found;
   Samples sample(loop, limits);
@@ -234,6 +234,7 @@ OperatingPoints find_operating_points(const PreloadLoop& loop, const PreloadLimi
     };
     if (line.front().excess() == 0.) add(line.front().T, 0.);  // it makes no heat at all
     for (std::size_t i = 1; i < line.size(); ++i) {
+      if (wanted == Wanted::up_to_stable && found.first_stable()) break;
       Sample a = line[i - 1], b = line[i];
       const bool changes_sign = a.excess() != 0. && (b.excess() > 0.) != (a.excess() > 0.);
       const auto at = changes_sign ? crossing(sample, a, b) : std::nullopt;
@@ -280,7 +281,7 @@ std::optional<CriticalFactor> find_critical_factor(
     const PreloadLimits& limits) {
   const auto points_at = [&](double factor, const PreloadLimits& within) {
     try {
-      return find_operating_points(*loop_with(factor), within);
+      return find_operating_points(*loop_with(factor), within, Wanted::up_to_stable);
     } catch (const SolverError&) {  // no rest of the bearing, not even a cold one
       OperatingPoints none;
       none.ended_by = LimitMet::no_state;

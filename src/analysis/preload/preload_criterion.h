@@ -61,8 +61,13 @@ struct OperatingPoints {
   int n_without_state = 0;  ///< heats before that end at which none was found, or none just beside
   [[nodiscard]] const OperatingPoint* first_stable() const;
 };
+enum class Wanted {
+  all,
+  up_to_stable  ///< no further than the first stable one
+};
 /// @throws SolverError if the bearing has no rest when cold
-OperatingPoints find_operating_points(const PreloadLoop& loop, const PreloadLimits& limits);
+OperatingPoints find_operating_points(const PreloadLoop& loop, const PreloadLimits& limits,
+                                      Wanted wanted = Wanted::all);
 
 /// The operating point at which a transient has settled; added if it is not among them, as one that no way of steady states from cold leads to.
 /// @param T  where it settled
