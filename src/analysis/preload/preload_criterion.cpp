@@ -106,7 +106,7 @@ bool find_jump(Samples& sample, const PreloadLoop& loop, Sample& a, Sample& b) {
   double of_a = conduct(a), of_b = conduct(b);
   const double at_first = std::fabs(of_b - of_a);
   if (at_first <= change * std::max(of_a, of_b)) return false;
-  while (b.heat - a.heat > 1e-9 * b.heat) {
+  while (b.heat - a.heat > 1e-5 * b.heat) {
     Sample m = sample(0.5 * (a.heat + b.heat));
     if (!m.has_state()) return true;
     const double of_m = conduct(m);
