@@ -226,7 +226,8 @@ Section<ThermalParameters> thermal_section() {
       {.fallback = "rolling",
        .help = "Conduction between balls and raceways. rolling: from load and rolling speed of the balls, none "
                "without load (docs/theory/model.md, section 6). fixed: the resistance R5 of the published circuit. "
-               "`rotordrop heat` takes the load of the balls from heat.ball_load (the fixed resistance without it); `calibrate` uses the fixed resistance."});
+               "`rotordrop heat` takes the load of the balls from heat.ball_load (the fixed resistance without it); "
+               "`calibrate` uses the fixed resistance."});
   s.quantity(
       "oil_film", &P::oil_film,
       {.unit = "m",
