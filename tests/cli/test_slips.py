@@ -40,6 +40,7 @@ SLIPS_OF_PARTS = {
         (["contact.friction_over_temperature=[[20, 1], [200, 0.8]]"], r'friction_over_temperature, argument = 20 K is unusual.*"20 degC"'),
         (["bearings.TB1.housing_fit=0.9 mm"], r"housing_fit = 900 um is 0\.82 % of the bearing's diameter"),
         (["bearings.TB1.housing_fit=10 um"], r"TB1\.housing_fit does not count: thermal\.expansion takes ring and housing as one body"),
+        (["thermal.recorded=nowhere.h5"], r'thermal\.recorded does not count: thermal\.driver is "automatic"'),
         (["bearings.TB1.contact_width=180 mm"], r"contact_width is 180 mm, but the bearing is 20 mm wide"),
         (["bearings.TB2.ring_diametral_inertia=2.2e-2"], r"ring_diametral_inertia = 0\.022 kg m2 is 56\.4 times ring_spin_inertia"),
         (["bearings.TB2.shoulders.stiffness=1e12"], r"shoulders\.stiffness = 1e\+12 N/m is 201 times that of the bodies, 4\.97e\+09 N/m"),

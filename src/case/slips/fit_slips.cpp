@@ -182,12 +182,21 @@ void look_at_rolling_conduction(const ThermalParameters& thermal, const Node& tr
            "It is part of thermal.contact_conduction = \"rolling\".");
 }
 
+/// Growth of an earlier run that is not taken.
+void look_at_recorded_growth(const ThermalParameters& thermal, const Node& tree, std::vector<Fault>& warnings) {
+  if (!thermal.recorded || thermal.driver == recorded_driver) return;
+  warn(warnings, position_of_value(table_at(tree, "thermal"), "recorded"),
+       fmt::format("thermal.recorded does not count: thermal.driver is \"{}\".", thermal.driver),
+       "thermal.driver = \"recorded\" takes the growth from there.");
+}
+
 }  // namespace
 
 void look_at_fits(const CaseParameters& p, const Node& tree, std::vector<Fault>& warnings) {
   look_at_friction(p.contact, tree, warnings);
   look_at_fit_resistance(p, tree, warnings);
   look_at_rolling_conduction(p.thermal, tree, warnings);
+  look_at_recorded_growth(p.thermal, tree, warnings);
   for (const auto& entry : p.bearings)
     if (const auto* b = entry.touchdown()) {
       const Node& table = table_at(tree, "bearings", entry.name);
