@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "analysis/preload/turning_point.h"
 #include "base/errors.h"
 
 namespace rotordrop {
@@ -72,27 +73,14 @@ Place root_of(Line& line, Place a, Place b) {
 
 /// Two roots may lie between places: where |h| turns back before it is zero, its least value is looked for by golden section.
 void add_turning_points(Line& line, std::vector<Place>& places) {
-  constexpr double golden = 0.3819660112501051;
   for (std::size_t i = 1; i + 1 < places.size(); ++i) {
     const double sign = places[i].height > 0. ? 1. : -1.;
     const auto distance = [&](const Place& p) { return sign * p.height; };
     if (differ(places[i - 1], places[i]) || differ(places[i], places[i + 1])) continue;
     if (distance(places[i]) > std::min(distance(places[i - 1]), distance(places[i + 1]))) continue;
-    double low = places[i - 1].s, high = places[i + 1].s;
-    const double width = high - low;
-    Place a = line(low + golden * width), b = line(high - golden * width);
-    while (distance(a) > 0. && distance(b) > 0. && high - low > 1e-6 * width) {
-      if (distance(a) < distance(b)) {
-        high = b.s;
-        b = a;
-        a = line(low + golden * (high - low));
-      } else {
-        low = a.s;
-        a = b;
-        b = line(high - golden * (high - low));
-      }
-    }
-    Place& turn = distance(a) < distance(b) ? a : b;
+    const double low = places[i - 1].s, high = places[i + 1].s;
+    Place turn = turning_point(
+        line, [](const Place& p) { return p.s; }, distance, low, high, 1e-6 * (high - low));
     if (distance(turn) > 0.) continue;
     places.insert(places.begin() + static_cast<std::ptrdiff_t>(turn.s < places[i].s ? i : i + 1), std::move(turn));
     ++i;

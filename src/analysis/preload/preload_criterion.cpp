@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "analysis/preload/folded_rests.h"
+#include "analysis/preload/turning_point.h"
 #include "base/errors.h"
 
 namespace rotordrop {
@@ -126,7 +127,6 @@ bool find_jump(Samples& sample, const PreloadLoop& loop, Sample& a, Sample& b) {
 /// Two operating points may lie between neighbouring samples: where Phi(Q) - Q turns back towards zero without reaching it, the turning
 /// point is looked for by golden section, and added.
 std::vector<Sample> with_turning_points(Samples& sample, std::vector<Sample> line) {
-  constexpr double golden = 0.3819660112501051;
   std::vector<Sample> all;
   for (std::size_t i = 0; i < line.size(); ++i) {
     all.push_back(line[i]);
@@ -135,20 +135,9 @@ std::vector<Sample> with_turning_points(Samples& sample, std::vector<Sample> lin
     const auto height = [&](const Sample& s) { return sign * s.excess(); };
     if (height(line[i]) > height(line[i - 1]) || height(line[i]) > height(line[i + 1])) continue;
     if (height(line[i - 1]) <= 0. || height(line[i + 1]) <= 0.) continue;
-    double low = line[i - 1].heat, high = line[i + 1].heat;
-    Sample a = sample(low + golden * (high - low)), b = sample(high - golden * (high - low));
-    while (height(a) > 0. && height(b) > 0. && high - low > 1e-7 * high) {
-      if (height(a) < height(b)) {
-        high = b.heat;
-        b = a;
-        a = sample(low + golden * (high - low));
-      } else {
-        low = a.heat;
-        a = b;
-        b = sample(high - golden * (high - low));
-      }
-    }
-    Sample& turn = height(a) < height(b) ? a : b;
+    const double high = line[i + 1].heat;
+    Sample turn = turning_point(
+        sample, [](const Sample& p) { return p.heat; }, height, line[i - 1].heat, high, 1e-7 * high);
     if (!turn.has_state() || height(turn) >= height(line[i])) continue;
     if (turn.heat < all.back().heat)
       all.insert(all.end() - 1, std::move(turn));
