@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <map>
 
 #include "analysis/preload/folded_rests.h"
 #include "analysis/preload/turning_point.h"
@@ -18,53 +20,46 @@ struct Sample {
   [[nodiscard]] bool has_state() const { return met != LimitMet::no_state; }
 };
 
-/// T(Q), Phi(Q), from the sample before. Rolling balls may have several steady states under one heat, with and without load: under a heat no less than the sample
-/// before both ways end in the same one, otherwise the way is from cold, as the bearing's own.
+/// T(Q), Phi(Q) on the way of steady states that begins cold. Rolling balls may have several under one heat, with and without load: each is found from the nearest
+/// known one under no more heat, where the way up and the one from cold end in the same.
 class Samples {
  public:
-  Samples(const PreloadLoop& loop, const PreloadLimits& limits) : loop_(loop), limits_(limits), start_(loop.cold()) {}
+  Samples(const PreloadLoop& loop, const PreloadLimits& limits)
+      : loop_(loop), limits_(limits), known_{{0., loop.cold()}} {}
   Sample operator()(double heat) {
     Sample s;
     s.heat = heat;
-    if (heat == 0. || (loop_.bearing().balls_roll() && heat < start_heat_)) {
-      start_ = loop_.cold();
-      start_heat_ = 0.;
-    }
     RunningState state;
     try {
-      if (heat > 0.) approach(heat, 6);
-      state = loop_.state(start_);
+      s.T = steady(heat, 6);
+      state = loop_.state(s.T);
     } catch (const SolverError&) {
       if (heat == 0.) throw;
       s.made = NAN;
       s.met = LimitMet::no_state;
       return s;
     }
-    s.T = start_;
     s.made = state.heat;
     s.met = limit_met(loop_, limits_, s.T, state);
     return s;
   }
 
  private:
-  /// From the sample before, by way of heats between where one step is too long.
-  void approach(double heat, int n_halvings) {
-    std::vector<double> T;
+  /// By way of heats between where one step is too long.
+  const std::vector<double>& steady(double heat, int n_halvings) {
+    const auto& [before, start] = *std::prev(known_.upper_bound(heat));
+    if (before == heat) return start;
     try {
-      T = loop_.steady(heat, start_);
+      return known_[heat] = loop_.steady(heat, start);
     } catch (const SolverError&) {
       if (n_halvings == 0) throw;
-      approach(0.5 * (start_heat_ + heat), n_halvings - 1);
-      T = loop_.steady(heat, start_);
+      return known_[heat] = loop_.steady(heat, steady(0.5 * (before + heat), n_halvings - 1));
     }
-    start_ = std::move(T);
-    start_heat_ = heat;
   }
 
   const PreloadLoop& loop_;
   const PreloadLimits& limits_;
-  std::vector<double> start_;
-  double start_heat_ = 0;
+  std::map<double, std::vector<double>> known_;  // T by Q
 };
 
 /// Largest heat within the limits that has a steady state [W].
