@@ -14,6 +14,11 @@
 namespace rotordrop {
 namespace {
 
+/// "an elastomer", of a soft support.
+std::string carrier(const TouchdownParameters& b) {
+  return (b.support.type == "elastomer" ? "an " : "a ") + b.support.type;
+}
+
 /// Housing and fit against the bearing.
 void look_at_housing(const std::string& name, const TouchdownParameters& b, GrowthSource expansion, const Node& table,
                      std::vector<Fault>& warnings) {
@@ -42,9 +47,9 @@ void look_at_housing(const std::string& name, const TouchdownParameters& b, Grow
          "It is part of thermal.expansion = \"elastic\".");
   if (is_soft(b.support) && expansion == GrowthSource::elastic)
     warn(warnings, position_of_value(table_at(table, "support"), "type"),
-         fmt::format("the outer ring of bearings.{} is carried by {} {}, but elasticity lets it grow as if it sat in "
-                     "its housing.",
-                     name, b.support.type == "elastomer" ? "an" : "a", b.support.type),
+         fmt::format("the outer ring of bearings.{} is carried by {}, but elasticity lets it grow as if it sat in its "
+                     "housing.",
+                     name, carrier(b)),
          "thermal.expansion = \"formula\" lets it grow by itself.");
 }
 
@@ -135,16 +140,14 @@ bool follows_heat_to_housings(const CaseParameters& p, const Node& tree) {
 /// Heat through what carries an outer ring, where that is no metal fit.
 void look_at_conduction(const std::string& name, const TouchdownParameters& b, const CaseParameters& p,
                         const Node& tree, std::vector<Fault>& warnings) {
-  const std::string& type = b.support.type;
   if (p.thermal.models.empty() || !is_soft(b.support)) return;
   if (tree.find("thermal") && table_at(tree, "thermal").has("fit_resistance")) return;
   const Node& bearing = table_at(tree, "bearings", name);
-  warn(
-      warnings, position_of_value(bearing.find("support") ? *bearing.find("support") : bearing, "type"),
-      fmt::format("the outer ring of bearings.{} is carried by {} {}, but its heat goes to the housing through a metal "
-                  "fit: thermal.fit_resistance is its default, {:.4g} K/W.",
-                  name, type == "elastomer" ? "an" : "a", type, p.thermal.fit_resistance),
-      "Give thermal.fit_resistance. Estimates: 1 to 30 K/W of O-rings, 0.05 to 0.5 K/W of a ribbon or an oil film.");
+  warn(warnings, position_of_value(bearing.find("support") ? *bearing.find("support") : bearing, "type"),
+       fmt::format("the outer ring of bearings.{} is carried by {}, but its heat goes to the housing through a metal "
+                   "fit: thermal.fit_resistance is its default, {:.4g} K/W.",
+                   name, carrier(b), p.thermal.fit_resistance),
+       "Give thermal.fit_resistance. Estimates: 1 to 30 K/W of O-rings, 0.05 to 0.5 K/W of a ribbon or an oil film.");
 }
 
 /// A resistance that only elastomers have.
