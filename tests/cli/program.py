@@ -5,8 +5,10 @@ import os
 import pathlib
 import re
 import shutil
+import signal
 import subprocess
 import tempfile
+import time
 import unittest
 
 SOURCE = pathlib.Path(__file__).resolve().parents[2]
@@ -94,6 +96,18 @@ class ProgramTest(unittest.TestCase):
         """Runs a case to its end; the summary."""
         self.succeed("run", *arguments, "-o", output, *settings(**keys))
         return self.summary(output)
+
+    def interrupt_run(self, *arguments, after=0.0):
+        """Starts a run that writes into out, and interrupts it as Ctrl-C does, so many seconds after it has begun to write."""
+        process = start("run", *arguments, "-o", "out", cwd=self.folder)
+        self.addCleanup(process.communicate)
+        self.addCleanup(process.kill)
+        while process.poll() is None and not (self.folder / "out/results.h5").exists():
+            time.sleep(0.01)
+        time.sleep(after)
+        process.send_signal(signal.SIGINT)
+        process.communicate(timeout=60)
+        self.assertEqual(process.returncode, 130, "it ended before it could be interrupted")
 
     def summary(self, output="out"):
         return json.loads((self.folder / output / "summary.json").read_text())

@@ -8,16 +8,14 @@ and the gas takes Ip (w0^2 - w^2) / 2.
 
 import math
 import shutil
-import signal
 import sys
-import time
 import unittest
 
 import h5py
 import numpy
 
 sys.path.insert(0, __file__.rpartition("/")[0])
-from program import PARAMS, ProgramTest, settings, start  # noqa: E402
+from program import PARAMS, ProgramTest, settings  # noqa: E402
 
 LINEAR = """[run]
 end_time = "2 s"
@@ -244,13 +242,7 @@ class CoastDown(ProgramTest):
     def test_resumes_bit_for_bit(self):
         options = [*COAST, *settings(integration__method="runge-kutta-4", integration__step="2 us", output__longest_interval="5 ms", run__initial_speed="5000 rpm")]
         self.succeed("run", "settling.toml", "-o", "whole", *options)
-        process = start("run", "settling.toml", "-o", "out", *options, cwd=self.folder)
-        self.addCleanup(process.kill)
-        while not (self.folder / "out/results.h5").exists():
-            time.sleep(0.01)
-        process.send_signal(signal.SIGINT)
-        process.communicate(timeout=60)
-        self.assertEqual(process.returncode, 130, "interrupted before its end")
+        self.interrupt_run("settling.toml", *options)
         self.succeed("run", "settling.toml", "-o", "out", *options, "--resume")
         resumed, whole = self.summary("out"), self.summary("whole")
         for summary in (resumed, whole):

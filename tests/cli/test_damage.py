@@ -2,16 +2,14 @@
 
 import json
 import math
-import signal
 import sys
-import time
 import unittest
 
 import h5py
 import numpy as np
 
 sys.path.insert(0, __file__.rpartition("/")[0])
-from program import PARAMS, ProgramTest, page_data, settings, start  # noqa: E402
+from program import PARAMS, ProgramTest, page_data, settings  # noqa: E402
 
 RATED = settings(bearings__TB1__C="39.7 kN", bearings__TB2__C="33 kN", run__end_time="30 ms", output__interval="5 us", output__detail_interval="5 us")
 
@@ -172,13 +170,7 @@ class Damage(ProgramTest):
         # Cycles that are open at the interruption are in the checkpoint. Steps are fixed: a resumed run has the same bits.
         fixed = [*RATED, *settings(integration__method="runge-kutta-4", integration__step="0.5 us", run__end_time="60 ms")]
         self.succeed("run", "reference.toml", "-o", "whole", *fixed)
-        running = start("run", "reference.toml", "-o", "out", "--quiet", *fixed, cwd=self.folder)
-        while not (self.folder / "out/results.h5").exists():
-            time.sleep(0.01)
-        time.sleep(0.05)
-        running.send_signal(signal.SIGINT)
-        running.communicate(timeout=60)
-        self.assertEqual(running.returncode, 130, "it was to be interrupted")
+        self.interrupt_run("reference.toml", "--quiet", *fixed, after=0.05)
         self.succeed("run", "reference.toml", "-o", "out", "--resume", "--quiet", *fixed)
         for name, bearing in self.summary("whole")["bearings"].items():
             self.assertEqual(self.summary()["bearings"][name]["damage"], bearing["damage"])

@@ -6,16 +6,14 @@ THRUST: the same of a force along the axis, with the mass.
 """
 
 import shutil
-import signal
 import sys
-import time
 import unittest
 
 import h5py
 import numpy
 
 sys.path.insert(0, __file__.rpartition("/")[0])
-from program import PARAMS, ProgramTest, settings, start  # noqa: E402
+from program import PARAMS, ProgramTest, settings  # noqa: E402
 
 G, IP = 9.81, 0.3899981437441726  # kg m2, of the rotor's file
 METHODS = ("tsitouras", "bogacki-shampine", "sofroniou-spaletta", "two-step-runge-kutta", "runge-kutta-4", "dormand-prince", "fehlberg-8", "adams")
@@ -120,13 +118,7 @@ class Instants(ProgramTest):
         self.write("drop.toml", text)
         options = ["drop.toml", *settings(run__end_time="0.5 s", integration__method="runge-kutta-4", integration__step="1.3 us")]
         self.succeed("run", *options, "-o", "whole")
-        process = start("run", *options, "-o", "out", cwd=self.folder)
-        self.addCleanup(process.kill)
-        while not (self.folder / "out/results.h5").exists():
-            time.sleep(0.01)
-        process.send_signal(signal.SIGINT)
-        process.communicate(timeout=60)
-        self.assertEqual(process.returncode, 130, "interrupted before its end")
+        self.interrupt_run(*options)
         self.succeed("run", *options, "-o", "out", "--resume")
         with h5py.File(self.folder / "out/results.h5") as a, h5py.File(self.folder / "whole/results.h5") as b:
             for name in ("time", "rotor/spin_speed", "probes/A/position", "bearings/M16/magnet_force", "energy/dissipated"):

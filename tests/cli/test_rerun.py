@@ -3,15 +3,13 @@
 import pathlib
 import re
 import shutil
-import signal
 import sys
-import time
 import unittest
 
 import h5py
 
 sys.path.insert(0, __file__.rpartition("/")[0])
-from program import PROGRAM, ProgramTest, content_of, settings, start  # noqa: E402
+from program import PROGRAM, ProgramTest, content_of, settings  # noqa: E402
 
 HAS_ROOM = (pathlib.Path(PROGRAM).parent / "rotordrop_fe.so").is_file()
 FIXED = settings(integration__method="runge-kutta-4", integration__step="1 us")
@@ -84,13 +82,7 @@ class Rerun(ProgramTest):
             self.assertIn(told, self.call("rerun", "out/results.h5", "-o", "again", "--force").stdout)
 
     def test_an_interrupted_run_is_compared_as_far_as_it_goes(self):
-        running = start("run", "reference.toml", "-o", "out", *FIXED, *settings(run__end_time="1 s"), cwd=self.folder)
-        while not (self.folder / "out/results.h5").exists():
-            time.sleep(0.01)
-        time.sleep(0.3)
-        running.send_signal(signal.SIGINT)
-        running.communicate(timeout=60)
-        self.assertEqual(running.returncode, 130)
+        self.interrupt_run("reference.toml", *FIXED, *settings(run__end_time="1 s"), after=0.3)
         done = self.succeed("rerun", "out/results.h5", "-o", "again")
         self.assertRegex(done.stdout, r"the same bits as .*, up to where the recorded run was interrupted")
 

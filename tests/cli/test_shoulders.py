@@ -6,16 +6,14 @@ Nothing moves it across its axis but a small unbalance: the bores are not touche
 
 import math
 import shutil
-import signal
 import sys
-import time
 import unittest
 
 import h5py
 import numpy
 
 sys.path.insert(0, __file__.rpartition("/")[0])
-from program import PARAMS, ProgramTest, page_data, settings, start  # noqa: E402
+from program import PARAMS, ProgramTest, page_data, settings  # noqa: E402
 
 
 class Shoulders(ProgramTest):
@@ -158,14 +156,7 @@ class Shoulders(ProgramTest):
     def test_an_interrupted_landing_resumes_bit_for_bit(self):
         self.write("drop.toml", f'base = "{PARAMS / "vertical-drop.toml"}"\n')
         long = settings(run__end_time="0.13 s", run__until="no contact", integration__method="runge-kutta-4", integration__step="0.5 us")
-        process = start("run", "drop.toml", "-o", "out", *long, cwd=self.folder)
-        self.addCleanup(process.communicate)
-        self.addCleanup(process.kill)
-        while process.poll() is None and not (self.folder / "out/results.h5").exists():
-            time.sleep(0.01)
-        time.sleep(0.3)
-        process.send_signal(signal.SIGINT)
-        self.assertEqual(process.wait(60), 130, "it ended before it could be interrupted")
+        self.interrupt_run("drop.toml", *long, after=0.3)
         self.succeed("run", "drop.toml", "-o", "out", "--resume", *long)
         self.succeed("run", "drop.toml", "-o", "whole", *long)
         for name, bearing in self.summary("whole")["bearings"].items():
