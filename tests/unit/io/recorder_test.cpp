@@ -696,6 +696,8 @@ TEST_F(RecorderTest, GoesOnWritingAfterItWasMovedInMemoryAndOnDisk) {
   expect_rows(directory / "other.h5", 20);
 }
 
+// A child of a process with threads waits for ever in the allocator that GCC 12 has for sanitizers, if another thread had locked it.
+#if !defined(__SANITIZE_ADDRESS__)
 TEST_F(RecorderTest, AFileIsTriedWhileAnotherThreadReads) {
   {
     Recorder recorder(path, header, machine());
@@ -718,6 +720,7 @@ TEST_F(RecorderTest, AFileIsTriedWhileAnotherThreadReads) {
   reader.join();
   EXPECT_EQ(message, "");
 }
+#endif
 
 TEST_F(RecorderTest, ReadersSayWhatIsNotThere) {
   testing::internal::CaptureStderr();
