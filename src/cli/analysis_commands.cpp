@@ -86,10 +86,13 @@ int critical_speeds_command(const CriticalSpeedsCommand& command) {
   if (!command.up_to.empty()) tell_warnings(look_at_speed(c.parameters, "--up-to", options.up_to));
   if (options.stiffness) tell_warnings(look_at_stiffness("--stiffness", *options.stiffness));
   if (!options.map.empty()) tell_warnings(look_at_stiffness("--map", options.map.back()));
-  if (!command.diagram.empty()) {
-    require_picture_name(command.diagram);
-    require_new(command.diagram, command.force, "--diagram FILE");
-    require_writable(command.diagram);
+  const auto file = command.diagram.empty() ? std::filesystem::path("out") / c.name / "campbell.svg" : command.diagram;
+  if (command.diagram.empty()) {
+    require_own_or_new(file, "--diagram FILE");
+  } else {
+    require_picture_name(file);
+    require_new(file, command.force, "--diagram FILE");
+    require_writable(file);
   }
   const auto report = critical_speeds(c.parameters, options);
   const auto json = critical_speeds_json(c, report, options);
@@ -98,7 +101,6 @@ int critical_speeds_command(const CriticalSpeedsCommand& command) {
   else
     fmt::print("rotordrop {} ({})   critical speeds, case {}\n{}", version(), git_revision(), c.name,
                critical_speeds_text(c, json));
-  const auto file = command.diagram.empty() ? std::filesystem::path("out") / c.name / "campbell.svg" : command.diagram;
   if (file.has_parent_path()) std::filesystem::create_directories(file.parent_path());
   write_picture(file, campbell_picture(report, options.up_to, json["operating_speed"].get<double>()));
   fmt::print(stderr, "Campbell diagram in {}\n", file.string());

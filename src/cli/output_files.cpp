@@ -20,12 +20,15 @@ void require_new(const fs::path& file, bool force, const char* option) {
                      fmt::format("Choose another with {}, or replace it with --force.", option));
 }
 
-void require_own_or_new(const fs::path& file) {
+void require_own_or_new(const fs::path& file, const char* option) {
   std::error_code ignored;
   if (!fs::exists(fs::symlink_status(file, ignored))) return;
-  if (!(file.extension() == ".html" ? is_own_page(file) : is_own_results(file) || is_hollow(file)))
+  const bool is_own = file.extension() == ".html"  ? is_own_page(file)
+                      : file.extension() == ".svg" ? is_own_diagram(file)
+                                                   : is_own_results(file) || is_hollow(file);
+  if (!is_own)
     throw InputError({file.string()}, "the program would replace this file, but did not write it.",
-                     "It is left as it is. Choose another name with -o FILE.");
+                     fmt::format("It is left as it is. Choose another name with {}.", option));
 }
 
 void require_other_file(const fs::path& output, const fs::path& input) {

@@ -8,7 +8,8 @@ namespace rotordrop {
 void require_new(const std::filesystem::path& file, bool force, const char* option = "-o FILE");
 
 /// By its usual name the program's own file is written again; someone else's is not. @throws InputError if it is there and someone else's
-void require_own_or_new(const std::filesystem::path& file);
+/// @param option  that names another, for the message
+void require_own_or_new(const std::filesystem::path& file, const char* option = "-o FILE");
 
 /// Not even --force writes over what a command reads. @throws InputError if both are one file
 void require_other_file(const std::filesystem::path& output, const std::filesystem::path& input);

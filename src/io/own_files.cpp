@@ -30,6 +30,13 @@ std::string beginning(const fs::path& file, std::size_t n) {
   return text;
 }
 
+bool holds(const fs::path& path, const char* mark) {
+  if (!is_file(path)) return false;
+  std::ifstream file(path, std::ios::binary);
+  const std::string text{std::istreambuf_iterator<char>(file), {}};
+  return text.find(mark) != std::string::npos;
+}
+
 /// HDF5 writes the attributes of a file behind its superblock, so that a file whose rest is damaged is known as well.
 bool is_own_hdf5(const std::string& text) {
   // A comparison of version 0.1 has no name of the program.
@@ -84,12 +91,9 @@ bool is_hollow(const fs::path& file) {
   return std::all_of(text.begin(), text.end(), [](char c) { return c == '\0'; });
 }
 
-bool is_own_page(const fs::path& file) {
-  if (!is_file(file)) return false;
-  std::ifstream page(file, std::ios::binary);
-  const std::string text{std::istreambuf_iterator<char>(page), {}};
-  return text.find(R"(<main id="page"></main>)") != std::string::npos;
-}
+bool is_own_page(const fs::path& file) { return holds(file, R"(<main id="page"></main>)"); }
+
+bool is_own_diagram(const fs::path& file) { return holds(file, ".spin{stroke:"); }
 
 void write_page(const fs::path& file, const std::string& page) {
   std::error_code ignored;

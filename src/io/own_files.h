@@ -18,6 +18,9 @@ bool is_own_page(const std::filesystem::path& file);
 /// Writes a page, in the place of one of the program's. @throws InputError if something else is there
 void write_page(const std::filesystem::path& file, const std::string& page);
 
+/// Whether a picture is a Campbell diagram of the program.
+bool is_own_diagram(const std::filesystem::path& file);
+
 /// Whether parameters.toml is what a run writes first of all, and not a case by that name: every value of it has its origin behind it.
 bool is_written_parameters(const std::filesystem::path& file);
 

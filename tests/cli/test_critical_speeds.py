@@ -309,6 +309,16 @@ stiffness = [["7e7 N/m", 0], [0, "7e7 N/m"]]
         self.assertEqual(self.call("critical-speeds", "reference.toml", "--diagram", "there.svg").returncode, 2)
         self.assertEqual((self.folder / "there.svg").read_text(), "mine")
 
+    def test_of_its_usual_name_only_its_own_picture_is_replaced(self):
+        picture = self.folder / "out/reference/campbell.svg"
+        self.succeed("critical-speeds", "reference.toml")
+        self.succeed("critical-speeds", "reference.toml", "--up-to", "9000 rpm")
+        picture.write_text("<svg>mine</svg>")
+        refused = self.call("critical-speeds", "reference.toml")
+        self.assertEqual(refused.returncode, 2)
+        self.assertIn("--diagram FILE", refused.stderr)
+        self.assertEqual(picture.read_text(), "<svg>mine</svg>")
+
 
 if __name__ == "__main__":
     unittest.main()
