@@ -161,6 +161,7 @@ std::vector<Fault> look_for_slips(const SectionDeclaration& section, const CaseP
   look_at_fits(p, tree, warnings);
   look_at_supports(p, tree, warnings);
   look_at_materials(p, tree, warnings);
+  look_at_limits(p.limits, warnings);
   return warnings;
 }
 

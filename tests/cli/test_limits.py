@@ -1,6 +1,7 @@
 """Limits of one's own: accepted, rejected or not assessed, in the summary, on the screen, in the report and as an exit code."""
 
 import json
+import re
 import sys
 import unittest
 
@@ -153,6 +154,29 @@ class Limits(ProgramTest):
         done = self.call("check", self.limited("rotor.mass.maximum = 1\n"))
         self.assertEqual(done.returncode, 2)
         self.assertIn("Known: max, min", done.stderr)
+
+    def test_a_bound_on_the_side_where_results_are_good_warns(self):
+        for key, given, usual in (("bearings.*.static_safety", "max", "min"), ("bearings.TB1.damage.allowed_drops", "max", "min"), ("bearings.TB2.wear.drops_until_limit", "max", "min"), ("bearings.TB1.clearance.smallest", "max", "min"),
+                                  (PEAK, "min", "max"), ("bearings.*.local.bore_rise", "min", "max"), ("bearings.TB1.temperature_rise_end.inner_ring", "min", "max"), ("run.warnings", "min", "max")):
+            with self.subTest(key):
+                case = self.limited(f'"{key}" = {{ {given} = 1.5 }}\n')
+                for done in (self.succeed("check", case), self.succeed("run", case, "-o", "out", "--force", *settings(run__end_time="1 us"))):
+                    said = " ".join(done.stderr.split())
+                    self.assertRegex(said, rf"warning: drop\.toml:4:\d+: limits\.{re.escape(key)} has a {given} only: drops with {'larger' if given == 'max' else 'smaller'} values, the better ones, are rejected\. A limit on it is most often a {usual}: {usual} = \"1\.5\"")
+                # The other bound alone, or a band, is meant.
+                for bounds in (f"{usual} = 1.5", "min = 1, max = 1.5"):
+                    self.assertNotIn("the better ones", self.succeed("check", self.limited(f'"{key}" = {{ {bounds} }}\n')).stderr, bounds)
+        for key in ("bearings.TB1.damage.required_static_safety", "bearings.TB1.catch_up_time"):
+            self.assertNotIn("the better ones", self.succeed("check", self.limited(f'"{key}" = {{ max = 1.5 }}\n')).stderr, key)
+        self.case("")
+        self.write("s.toml", f'case = "drop.toml"\n[vary]\ncontact.friction_coefficient = [0.1, 0.2]\n[design]\nkind = "grid"\n[limits]\n"{PEAK}" = {{ min = "5 kN" }}\n')
+        self.assertRegex(self.succeed("study", "s.toml", "--dry-run").stderr, rf"warning: s\.toml:7:1: limits\.{re.escape(PEAK)} has a min only")
+
+    def test_a_name_with_a_star_needs_quotes_in_a_setting(self):
+        done = self.call("check", "reference.toml", "--set", "limits.bearings.*.static_safety.min=2")
+        self.assertEqual(done.returncode, 2, done.stdout)
+        self.assertIn('A name with * stands in quotes: limits."bearings.*.static_safety".min.', done.stderr)
+        self.succeed("check", "reference.toml", "--set", 'limits."bearings.*.static_safety".min=2')
 
     def test_a_star_stands_for_every_bearing_and_the_resolved_case_keeps_limits(self):
         self.succeed("run", self.limited('"bearings.*.peak_contact_force" = { max = "50 kN" }\n'), "-o", "out")

@@ -16,6 +16,9 @@ void look_at_fits(const CaseParameters& p, const Node& tree, std::vector<Fault>&
 void look_at_supports(const CaseParameters& p, const Node& tree, std::vector<Fault>& warnings);
 void look_at_magnets(const CaseParameters& p, const RigidBody& body, const Node& tree, std::vector<Fault>& warnings);
 
+/// Bounds on the side where a result is good: a max of a static safety, a min of a force. Of a case or a study.
+void look_at_limits(const std::vector<Limit>& limits, std::vector<Fault>& warnings);
+
 /// Above it rings of steel burst: rho v^2 is 1.25 GPa at 400 m/s.
 inline constexpr double fastest_surface = 400.;      // [m/s]
 inline constexpr double standard_gravity = 9.80665;  // [m/s2]

@@ -249,9 +249,11 @@ void apply_setting(Node& tree, const Setting& setting) {
   const SourcePosition where{value.where().file, 0, 0};
   const auto keys = keys_of_path(path);
   if (!keys)
-    throw InputError(
-        where, fmt::format("\"{}\" is not the name of a parameter.", path),
-        where.file.text().starts_with("--set") ? example_of_set : "Write names such as contact.friction_coefficient.");
+    throw InputError(where, fmt::format("\"{}\" is not the name of a parameter.", path),
+                     path.find('*') != std::string::npos
+                         ? "A name with * stands in quotes: limits.\"bearings.*.static_safety\".min."
+                     : where.file.text().starts_with("--set") ? example_of_set
+                                                              : "Write names such as contact.friction_coefficient.");
 
   Node* table = &tree;
   for (std::size_t i = 0; i + 1 < keys->size(); ++i) {

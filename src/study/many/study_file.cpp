@@ -12,6 +12,7 @@
 #include "case/keys/entry_settings.h"
 #include "case/program_files.h"
 #include "case/slips/kinds_of_files.h"
+#include "case/slips/slips.h"
 #include "io/text/input_file.h"
 #include "io/text/toml_reader.h"
 #include "study/many/common_values.h"
@@ -235,6 +236,7 @@ Study read_study(const fs::path& file, const std::vector<std::string>& overrides
   read_limits(raw.limits, study.limits, faults);
   // Those of the case hold in each of its drops, unless the study has others. A fit judges no drop.
   const std::vector<Limit> own_limits = study.limits;
+  look_at_limits(own_limits, study.base.warnings);
   for (Limit limit : study.base.parameters.limits) {
     for (const auto text : {&Limit::max_text, &Limit::min_text})
       if (std::any_of(own_limits.begin(), own_limits.end(),
