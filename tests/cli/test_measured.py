@@ -120,6 +120,22 @@ class Measured(ProgramTest):
             self.succeed("compare", "truth", "--measured", "m.csv", "-o", "m.json", "--force")
             self.assertEqual(json.loads((self.folder / "m.json").read_text())["measured"][0]["unit"], unit)
 
+    def test_the_noise_is_a_number_in_the_values_unit_or_a_quantity(self):
+        found = []
+        for deviation in ("0.8", '"0.8"', '"0.8 um"', '"0.0008 mm"', "0.9"):
+            self.write("m.toml", self.tables.replace("NAME", "measured").replace(f"deviation = {1e6 * NOISE}", f"deviation = {deviation}"))
+            self.succeed("compare", "truth", "--measured", "m.toml", "-o", "m.json", "--force")
+            found.append(json.loads((self.folder / "m.json").read_text())["measured"][0]["deviation"])
+        for number in found[:4]:
+            self.assertAlmostEqual(number, 0.8e-6, delta=1e-18)
+        self.assertAlmostEqual(found[4], 0.9e-6, delta=1e-18)
+        for deviation, says in (('"0.8 N"', "0.8 N is a force; measured.deviation needs a length"), ("0", "measured.deviation = 0 is out of range: it must be > 0"), ('"-1 um"', "must be > 0"), ("true", "it must be a number or a quantity")):
+            self.write("m.toml", self.tables.replace("NAME", "measured").replace(f"deviation = {1e6 * NOISE}", f"deviation = {deviation}"))
+            done = self.call("compare", "truth", "--measured", "m.toml", "-o", "m.json", "--force")
+            self.assertEqual(done.returncode, 2, done.stdout)
+            self.assertRegex(done.stderr, r"m\.toml:\d+:\d+: ")
+            self.assertIn(says, done.stderr)
+
     def test_values_after_the_end_of_the_drop_are_left_out_and_counted(self):
         # The drop ends at 10 ms; afterwards its orbit was a metre away.
         later = "".join(f"{t},1e6,1e6\n" for t in (10.5, 11, 11.5))

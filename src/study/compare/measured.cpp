@@ -135,6 +135,28 @@ Column dataset_of(const fs::path& file, const std::optional<std::string>& path, 
   return {*path, meaning.unit, std::move(series.values)};
 }
 
+/// A number in the values' unit, or a quantity: "1 um" also of values in millimetres.
+double deviation_in_si(const std::string& given, const UnitScale& value, const std::string& unit,
+                       const SourcePosition& where) {
+  double si = 0.;
+  if (const auto number = number_of(given)) {
+    si = *number * std::fabs(value.factor);
+  } else {
+    const auto kind = kind_of(value.unit);
+    const auto read = convert_to_si(given, value.unit,
+                                    kind == QuantityKind::temperature ? QuantityKind::temperature_difference : kind,
+                                    "measured.deviation");
+    if (!read) throw InputError(where, read.error + ".", read.advice);
+    si = read.value;
+  }
+  if (si > 0.) return si;
+  throw InputError(
+      where, fmt::format("measured.deviation = {} is out of range: it must be > 0.", given),
+      fmt::format("It is the standard deviation of the noise, a number in the values' unit ({}) or such as "
+                  "\"1 {}\".",
+                  unit.empty() ? "SI" : unit, unit.empty() ? value.unit : unit));
+}
+
 Measured made(const MeasuredParameters& keys, const Column& times, const Column& values, const SourcePosition& where) {
   Measured m = described(keys);
   const std::string unit = values.unit.empty() ? keys.unit : values.unit;
@@ -144,7 +166,7 @@ Measured made(const MeasuredParameters& keys, const Column& times, const Column&
     throw InputError(where,
                      fmt::format("\"{}\" is no unit of time.", times.unit.empty() ? keys.time_unit : times.unit));
   m.unit = value.unit;
-  if (keys.deviation) m.deviation = *keys.deviation * std::fabs(value.factor);
+  if (keys.deviation) m.deviation = deviation_in_si(*keys.deviation, value, unit, where);
   for (std::size_t i = 0; i < std::min(times.values.size(), values.values.size()); ++i) {
     const double t = time.zero + time.factor * times.values[i];
     if (!std::isfinite(t) || !std::isfinite(values.values[i]) || (keys.from && t < *keys.from) ||
@@ -162,6 +184,17 @@ Measured made(const MeasuredParameters& keys, const Column& times, const Column&
                                  m.data.times.size()),
                      "See from and until.");
   return m;
+}
+
+void read_deviation(const Node& node, MeasuredParameters& p, Faults& faults) {
+  if (node.is_text())
+    p.deviation = node.text();
+  else if (node.is_number())
+    p.deviation = shortest(node.number());
+  else
+    faults.add(node.where(),
+               fmt::format("measured.deviation is {}; it must be a number or a quantity.", kind_name(node)),
+               "For example 0.8 in the values' unit, or \"0.8 um\".");
 }
 
 }  // namespace
@@ -186,10 +219,12 @@ Section<MeasuredParameters> measured_section() {
       .text("unit", &P::unit,
             {.fallback = "",
              .help = "Of values whose column's name (or HDF5 attribute units) tells none; SI if left out."})
-      .quantity("deviation", &P::deviation,
-                {.range = positive(),
-                 .help = "Standard deviation of the noise, in the values' unit. Left out: the differences that remain "
-                         "tell it. Give it for all series or for none."})
+      .custom("deviation",
+              {.accepts = "a number in the values' unit, or a quantity",
+               .json_types = {"number", "string"},
+               .help = "Standard deviation of the noise: 0.8 in the values' unit, or \"0.8 um\". Left out: the "
+                       "differences that remain tell it. Give it for all series or for none."},
+              read_deviation)
       .quantity("bandwidth", &P::bandwidth,
                 {.unit = "Hz", .range = positive(), .help = "Of the sensor, at -3 dB, as of a first-order low-pass."})
       .quantity(

@@ -16,10 +16,11 @@ struct MeasuredParameters {
   int component = 0;                       ///< column of that dataset
   std::optional<std::string> time, value;  ///< columns of the file, by name; datasets of an HDF5 file
   std::string time_unit, unit;             ///< of columns whose names tell none
-  std::optional<double> deviation;         ///< standard deviation of the noise, in `unit`
-  std::optional<double> bandwidth;         ///< of the sensor, -3 dB [Hz]
-  double delay = 0;                        ///< of the sensor [s]
-  std::optional<double> from, until;       ///< part that counts, in the measurement's time [s]
+  std::optional<std::string>
+      deviation;                      ///< standard deviation of the noise: a number in the values' unit, or a quantity
+  std::optional<double> bandwidth;    ///< of the sensor, -3 dB [Hz]
+  double delay = 0;                   ///< of the sensor [s]
+  std::optional<double> from, until;  ///< part that counts, in the measurement's time [s]
 };
 Section<MeasuredParameters> measured_section();
 
@@ -33,7 +34,7 @@ struct Measured {
   std::optional<double> deviation;  ///< SI
 };
 
-/// A measured quantity without its numbers: name, deviation in SI.
+/// A measured quantity without its numbers.
 Measured described(const MeasuredParameters& keys);
 
 /// Reads a file. @param folder  where relative names begin. @throws InputError

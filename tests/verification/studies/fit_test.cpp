@@ -125,6 +125,20 @@ TEST_F(FitTest, HasIntervalsThatCoverTheTruthAsOftenAsTheySay) {
   EXPECT_LT(width / pi, 0.1);
 }
 
+// Noise of 20 um: a given deviation of twice and half as much is just within what is let pass, as its estimate has 5 %.
+TEST_F(FitTest, WarnsWhereWhatDiffersIsFarFromTheGivenNoise) {
+  measure(7, 20e-6);
+  const auto doubt = [&](const std::string& deviation) {
+    const auto j = run("deviation = \"" + deviation + "\"\nunit = \"um\"\n", "with" + deviation);
+    return j.value("noise_doubt", "");
+  };
+  for (const char* near : {"20 um", "12 um", "35 um"}) EXPECT_EQ(doubt(near), "") << near;
+  EXPECT_NE(doubt("20 mm").find("the intervals are too wide"), std::string::npos);
+  EXPECT_NE(doubt("60 um").find("times the given deviation only"), std::string::npos);
+  EXPECT_NE(doubt("7 um").find("the intervals are too narrow"), std::string::npos);
+  EXPECT_NE(doubt("20 nm").find("the intervals are too narrow"), std::string::npos);
+}
+
 TEST_F(FitTest, GivesTheSameBitsForAnyWorkersAndInterruptions) {
   measure(3, 20e-6);
   more_of_fit_ = "[fit]\nsearches = 2\n";

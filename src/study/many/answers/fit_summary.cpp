@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <boost/math/distributions/chi_squared.hpp>
 #include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 #include <limits>
@@ -228,6 +229,26 @@ Json measured_json(const Fit& fit, const FitPoints& points, const SearchPoints& 
   return list;
 }
 
+/// Why intervals by a given noise are void; empty if what differs is about as large. @param chi_square  per degree of freedom
+std::string doubt_of_noise(double chi_square, double freedom) {
+  constexpr double factor = 2.;        // of the deviation: intervals are off by as much
+  constexpr double improbable = 1e-4;  // of true noise of that deviation, so few values are no reason
+  const double sum = chi_square * freedom, ratio = std::sqrt(chi_square);
+  if (!(freedom > 0.) || !std::isfinite(sum)) return {};
+  const boost::math::chi_squared noise(freedom);
+  if (ratio < 1. / factor && cdf(noise, sum) < improbable)
+    return fmt::format(
+        "what differs is {:.3g} times the given deviation only, so the intervals are too wide: check the unit of "
+        "deviation",
+        ratio);
+  if (ratio > factor && cdf(complement(noise, sum)) < improbable)
+    return fmt::format(
+        "what differs is {:.3g} times the given deviation, so the intervals are too narrow: the model does not follow "
+        "the measurement, the search ended too early, or deviation is too small (check its unit)",
+        ratio);
+  return {};
+}
+
 }  // namespace
 
 Json fit_summary(const Study& study, const Design& design, const StudyTable& table) {
@@ -250,7 +271,11 @@ Json fit_summary(const Study& study, const Design& design, const StudyTable& tab
   j["sum_of_squares"] = r.squaredNorm();
   j["start_sum_of_squares"] = json_number(points.sum_of_squares(start));
   j["degrees_of_freedom"] = freedom;
-  if (fit.measured.front().deviation) j["chi_square_per_freedom"] = r.squaredNorm() / freedom;
+  if (fit.measured.front().deviation) {
+    const double chi_square = r.squaredNorm() / freedom;
+    j["chi_square_per_freedom"] = chi_square;
+    if (const std::string doubt = doubt_of_noise(chi_square, freedom); !doubt.empty()) j["noise_doubt"] = doubt;
+  }
   j["parameters"] = parameters_json(points, *best, J, C);
   if (C) j["correlation"] = correlation_json(C->matrix);
   j["measured"] = measured_json(fit, points, *best);
@@ -279,6 +304,7 @@ std::string fit_text(const Json& j) {
     text +=
         fmt::format("  chi-square per degree of freedom {:.3g}: about 1 if the model and the given noise are right\n",
                     j["chi_square_per_freedom"].get<double>());
+  if (j.contains("noise_doubt")) text += fmt::format("  warning: {}\n", j["noise_doubt"].get<std::string>());
   return text;
 }
 

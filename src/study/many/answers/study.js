@@ -235,6 +235,7 @@ function showFit() {
   else {
     parts.push(table(["parameter", "value", "95 % interval", "start"], Object.entries(f.parameters).map(([name, p]) => [label({ name, unit: p.unit }) + (p.at_end_of_range ? ": at the end of its range" : ""), short(p.value), `${short(p.low)} to ${short(p.high)}`, short(p.start)]), ["", "number", "", "number"]),
       element("p", { class: "note" }, `Intervals follow from the derivatives at these values and ${isNumber(f.chi_square_per_freedom) ? `the given noise (chi-square per degree of freedom ${short(f.chi_square_per_freedom)}; about 1 if model and noise are right)` : "what still differs"}; they hold for noise without memory and a model without error.`),
+      ...(f.noise_doubt ? [element("p", {}, element("strong", {}, `Warning: ${f.noise_doubt}.`))] : []),
       element("h3", {}, "Measured less computed"), differenceTable(f.measured), ...data.overlay.map(overlay));
     if (f.searches.length > 1) parts.push(element("h3", {}, "Searches"), table(["search", "sum of squares", ...Object.keys(f.parameters)], f.searches.map((s, k) => [String(k), short(s.sum_of_squares), ...Object.keys(f.parameters).map((p) => s.parameters ? short(s.parameters[p]) : "–")])));
     parts.push(element("h3", {}, "Course"), course({ result: "sum of squares", unit: "", units: Object.fromEntries(Object.entries(f.parameters).map(([name, p]) => [name, p.unit])), course: f.course }));
