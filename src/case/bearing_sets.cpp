@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <filesystem>
+#include <optional>
 #include <utility>
 
 #include "base/units.h"
@@ -20,20 +21,32 @@ bool is_from_catalogue(const Node& value, const std::string& entry) {
 
 namespace {
 
-/// A catalogue's value times a factor, in SI.
-void multiply(Node& bearing, const std::string& entry, const char* key, const char* unit, double factor) {
-  const Node* value = bearing.find(key);
+/// What a catalogue's entry says of one bearing and a case of all of a set.
+struct OfSet {
+  const char *key, *unit;
+  double exponent;  ///< of the number of bearings
+};
+constexpr std::array<OfSet, 5> of_all = {{{"width", "m", 1.},
+                                          {"ring_mass", "kg", 1.},
+                                          {"ring_spin_inertia", "kg m2", 1.},
+                                          {"C0", "N", 1.},
+                                          {"C", "N", 0.7}}};
+
+/// A value of a table in SI; nothing where its reader says what is wrong.
+std::optional<double> in_si(const Node& value, const OfSet& of) {
+  if (value.is_number()) return value.number();
+  const auto read = convert_to_si(value.is_text() ? value.text() : "", of.unit, kind_of(of.unit), of.key);
+  return read ? std::optional(read.value) : std::nullopt;
+}
+
+/// A catalogue's value for all bearings of a set, in SI.
+void multiply(Node& bearing, const std::string& entry, const OfSet& of, double count) {
+  const Node* value = bearing.find(of.key);
   if (!value || !is_from_catalogue(*value, entry)) return;
-  double si = 0.;
-  if (value->is_number()) {
-    si = value->number();
-  } else if (const auto read = convert_to_si(value->is_text() ? value->text() : "", unit, kind_of(unit), key)) {
-    si = read.value;
-  } else {
-    return;  // its reader says what is wrong
-  }
-  const SourcePosition where = position_of(bearing, key);
-  bearing.set(key, Node(si * factor, value->where()), where);
+  const auto of_one = in_si(*value, of);
+  if (!of_one) return;
+  const SourcePosition where = position_of(bearing, of.key);
+  bearing.set(of.key, Node(*of_one * std::pow(count, of.exponent), value->where()), where);
 }
 
 void make_set(const std::string& name, Node& bearing, Faults& faults) {
@@ -63,10 +76,7 @@ void make_set(const std::string& name, Node& bearing, Faults& faults) {
                  "Leave rows out: count sets it.");
     }
   }
-  static constexpr std::array<std::pair<const char*, const char*>, 4> of_all = {
-      {{"width", "m"}, {"ring_mass", "kg"}, {"ring_spin_inertia", "kg m2"}, {"C0", "N"}}};
-  for (const auto& [key, unit] : of_all) multiply(bearing, entry, key, unit, count);
-  multiply(bearing, entry, "C", "N", std::pow(count, 0.7));
+  for (const OfSet& of : of_all) multiply(bearing, entry, of, count);
 }
 
 /// A whole number of a table; 1 if it has none.
@@ -106,6 +116,40 @@ void look_at_kept_set(const std::string& name, const Node& bearing, std::vector<
          fmt::format("Write count = {} beside it, or count = 1 for one bearing.", count)});
 }
 
+/// The file of a bearing's entry, by what the bearing has of it; empty if there is nothing.
+std::filesystem::path entry_file(const Node& bearing, const std::string& entry) {
+  for (const Node::Entry& value : bearing.entries())
+    if (is_from_catalogue(value.value, entry)) return value.value.where().file.text();
+  return {};
+}
+
+/// Values of one bearing that a case gives for a set.
+void look_at_given_values(const std::string& name, const Node& bearing, std::vector<Fault>& warnings) {
+  constexpr double most_apart = 0.15;  // estimate: rings of other makers or variants, where a set has twice as much
+  const Node* catalogue = bearing.find("catalogue");
+  const int count = count_of(bearing, "count");
+  if (!catalogue || !catalogue->is_text() || count < 2) return;
+  const std::string& entry = catalogue->text();
+  const auto file = entry_file(bearing, entry);
+  if (file.empty()) return;
+  const Node one = read_toml(file);
+  for (const OfSet& of : of_all) {
+    const Node *given = bearing.find(of.key), *of_entry = one.find(of.key);
+    if (!given || !of_entry || is_from_catalogue(*given, entry)) continue;
+    const auto value = in_si(*given, of), of_one = in_si(*of_entry, of);
+    if (!value || !of_one || std::fabs(*value - *of_one) > most_apart * *of_one) continue;
+    warnings.push_back(
+        {given->where(),
+         fmt::format("bearings.{}.{} = {:.4g} {} is about that of one bearing of the catalogue ({}, {:.4g} {}), but "
+                     "count = {}.",
+                     name, of.key, *value, of.unit, entry, *of_one, of.unit, count),
+         fmt::format(
+             "It is of all {} bearings together: leave it out, since count makes it from the catalogue, or give "
+             "the set's.",
+             count)});
+  }
+}
+
 }  // namespace
 
 void keep_set(Node& bearing, const Node& under) {
@@ -127,6 +171,7 @@ void look_for_single_entries(const Node& tree, std::vector<Fault>& warnings) {
     const Node* catalogue = bearing.is_table() ? bearing.find("catalogue") : nullptr;
     const Node* rows = bearing.is_table() ? bearing.find("rows") : nullptr;
     if (bearing.is_table() && is_count_of_base(bearing)) look_at_kept_set(named.key, bearing, warnings);
+    if (bearing.is_table()) look_at_given_values(named.key, bearing, warnings);
     if (!catalogue || !catalogue->is_text() || !rows || !rows->is_number() || bearing.has("count")) continue;
     const std::string& entry = catalogue->text();
     if (is_from_catalogue(*rows, entry)) continue;

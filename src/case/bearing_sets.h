@@ -20,7 +20,8 @@ void make_sets(Node& tree, Faults& faults);
 /// @param under    what the layers below say of it
 void keep_set(Node& bearing, const Node& under);
 
-/// Sets that keep_set() made or ended, and sets by `rows` alone: a warning where the catalogue's entry has fewer rows and its width, mass, inertia or rating stand.
+/// Sets that keep_set() made or ended, and sets by `rows` alone: a warning where the catalogue's entry has fewer rows and its width, mass, inertia or rating stand,
+/// and where a set is given those of one bearing of its entry.
 void look_for_single_entries(const Node& tree, std::vector<Fault>& warnings);
 
 }  // namespace rotordrop

@@ -128,6 +128,8 @@ UNUSUAL = [
     (["thermal.gas_conductivity=26"], r"gas_conductivity = 26 W/\(m K\) is unusual"),
     (['bearings.TB1.support={ type = "ribbon", mass = "1 kg", ribbon = { stiffness = 4e4, slip_force = 200, stick_stiffness = 4e5 } }'], r"ribbon\.stiffness = 4e\+04 N/m gives way by 13\.39 mm"),
     (['bearings.TB1.support={ type = "ribbon", mass = "1 kg", ribbon = { stiffness = 4e7, slip_force = 6e5, stick_stiffness = 4e8 } }'], r"slip_force = 6e\+05 N is 1\.12e\+03 times this bearing's share of the rotor's weight: it never slips"),
+    (['bearings.TB1.support={ type = "ribbon", mass = "1 kg", ribbon = { stiffness = 4e7, slip_force = 8, stick_stiffness = 4e8 } }'], r"slip_force = 8 N is 0\.0149 times this bearing's share of the rotor's weight: it always slips.*support\.ribbon slips after 0\.02 um \(slip_force over stick_stiffness\)"),
+    (['bearings.TB1.support={ type = "ribbon", mass = "1 kg", ribbon = { stiffness = 4e7, slip_force = 2000, stick_stiffness = 4e5 } }'], r"ribbon\.stick_stiffness = 4e\+05 N/m is 0\.01 times its stiffness, 4e\+07 N/m"),
     (["bearings.TB1.support.K_y=2.7e4"], r"support\.K_y = 2\.7e\+04 N/m gives way by 19\.84 mm under this bearing's share"),
     (["bearings.TB1.support.K_y=2.7e6"], r"has K_y = 2\.7e\+06 and K_z = 1\.5e\+09 N/m: one is 556 times the other"),
     (["bearings.TB1.contact_stiffness=1.144e12"], r"contact_stiffness = 1\.144e\+12 N/m\^n, but journal and bore of these dimensions have about 6\.98e\+09"),
@@ -307,6 +309,18 @@ class LayersOfSets(ProgramTest):
             self.assertNotIn("laid over", said)
         # One bearing alone: what is left of the set is told.
         self.assertRegex(said, r"bearings\.TB2\.preload is of a set, but the bearing has rows = 1")
+
+    def test_values_of_one_bearing_given_for_a_pair_are_told(self):
+        one = tomllib.loads((PARAMS / "bearings/71914-25.toml").read_text())
+        for key in ("width", "ring_mass", "ring_spin_inertia", "C0", "C"):
+            with self.subTest(key):
+                self.write("drop.toml", f'base = "reference.toml"\n[bearings.TB2]\ncatalogue = "71914-25"\ncount = 2\n{key} = "{one[key]}"\n')
+                said = " ".join(self.succeed("check", "drop.toml").stderr.split())
+                self.assertRegex(said, rf"warning: drop\.toml:5:\d+: bearings\.TB2\.{key} = .* is about that of one bearing of the catalogue \(71914-25, .*\), but count = 2\. It is of all 2 bearings together: leave it out")
+        # Those of both, or of one bearing alone, are right.
+        for count, mass in ((2, "0.21 kg"), (2, "0.25 kg"), (1, "0.105 kg")):
+            self.write("drop.toml", f'base = "reference.toml"\n[bearings.TB2]\ncatalogue = "71914-25"\ncount = {count}\nring_mass = "{mass}"\n')
+            self.assertNotIn("of one bearing", self.succeed("check", "drop.toml").stderr, (count, mass))
 
     def test_a_deep_groove_bearing_in_place_of_a_pair_is_one_and_it_is_said(self):
         self.write("drop.toml", 'base = "reference.toml"\n[bearings.TB2]\ncatalogue = "61914"\npreload = 0\n')

@@ -1,5 +1,6 @@
 """Slips that need a look at the machine: long elements of a shaft, inertia of rings, magnets, thin journals, the way of heat. Warnings, each with its reason."""
 
+import json
 import math
 import pathlib
 import re
@@ -62,6 +63,19 @@ class UnusualMachines(ProgramTest):
         exact = beam_frequencies([(60, 79.5)] + [(25, 90)] * 40 + [(60, 79.5)])[mode - 1]
         self.assertAlmostEqual(float(found[4]) / exact, 1, delta=2e-3)
         self.assertAlmostEqual(float(found[3]) / 100, 1 - exact / float(found[2]), delta=6e-3)
+
+    def test_the_advice_on_long_elements_is_of_the_file_that_has_them(self):
+        rows = [(60, 79.5), (1000, 90), (60, 79.5)]
+        case = self.machine(rows)
+        self.assertIn("A row of the shaft's table is one beam element", self.said("check", case))
+        nodes = [{"id": k + 1, "x": 1e-3 * sum(length for length, _ in rows[:k])} for k in range(len(rows) + 1)]
+        elements = [{"id": k, "n1": k, "n2": k + 1, "length": 1e-3 * length, "od": 1e-3 * od, "id_": 0} for k, (length, od) in enumerate(rows, 1)]
+        self.write("shaft.json", json.dumps({"material": {"E": 2.1e11, "nu": 0.3, "rho": 7850}, "nodes": nodes, "elements": elements, "mass_points": []}))
+        text = (self.folder / case).read_text()
+        self.assertIn('"shaft.csv"', text)
+        said = self.said("check", self.write("json.toml", text.replace('"shaft.csv"', '"shaft.json"')))
+        self.assertIn("Cut them into several elements of the same diameter, with nodes between, here element 2", said)
+        self.assertNotIn("table", said)
 
     def test_elements_long_for_a_fast_rotor_alone_are_told(self):
         # Seven elements are fine for the first two modes, not for the sixth, which is below twice 60 000 rpm.

@@ -148,10 +148,12 @@ void look_at_lengths(const CaseParameters& p, const Node& tree, std::vector<Faul
            "elements of the rotor are too long for its bending: mode {} of the free shaft lies at {:.4g} Hz, and "
            "{:.2g} % lower, at {:.4g} Hz, with its long elements cut.",
            coarse->mode, coarse->frequency, 100. * (1. - coarse->refined / coarse->frequency), coarse->refined),
-       fmt::format(
-           "A row of the shaft's table is one beam element: cut it into several rows of the same diameter, here {}. "
-           "Numbers of the nodes behind them rise. Elements of one to two diameters are usual.",
-           named));
+       fmt::format("{}, here {}. Numbers of the nodes behind them rise. Elements of one to two diameters are usual.",
+                   where.file.text().ends_with(".csv")
+                       ? "A row of the shaft's table is one beam element: cut it into several rows "
+                         "of the same diameter"
+                       : "Cut them into several elements of the same diameter, with nodes between",
+                   named));
 }
 
 /// A stationary part that the rotor reaches before, or while, its touchdown bearings hold it.

@@ -191,6 +191,26 @@ void look_at_springs(const std::string& name, const LinearSupportParameters& sup
            "Damping is positive: force on the rotor = -C v.");
 }
 
+/// A ribbon of numbers: what its friction adds to its springs, and how far it holds.
+void look_at_slider(const std::string& name, const RibbonParameters& ribbon, const Node& own,
+                    std::vector<Fault>& warnings) {
+  if (!ribbon.stick_stiffness || !ribbon.slip_force) return;
+  // Estimates: measured loops stick for some micrometres, at several times the stiffness that is left when they slip.
+  constexpr double least_travel = 0.1e-6, least_ratio = 0.1;
+  if (const double travel = *ribbon.slip_force / *ribbon.stick_stiffness; travel < least_travel)
+    warn(warnings, position_of_value(own, "ribbon"),
+         fmt::format("bearings.{}.support.ribbon slips after {:.3g} um (slip_force over stick_stiffness); most often "
+                     "it holds for some micrometres.",
+                     name, travel * 1e6),
+         "Bare numbers are in N and N/m: 1.2 kN are 1200.");
+  if (const double ratio = *ribbon.stick_stiffness / *ribbon.stiffness; ratio < least_ratio)
+    warn(warnings, position_of_value(own, "ribbon"),
+         fmt::format("bearings.{}.support.ribbon.stick_stiffness = {:.4g} N/m is {:.3g} times its stiffness, {:.4g} "
+                     "N/m; most often it is several times as much.",
+                     name, *ribbon.stick_stiffness, ratio, *ribbon.stiffness),
+         "It is what friction adds until it slips. A bare number is in N/m.");
+}
+
 /// How far the rotor's weight moves the outer rings, where springs or a ribbon of numbers carry them.
 void look_at_sag(const std::string& name, const TouchdownParameters& b, double share, const CaseParameters& p,
                  const Node& tree, std::vector<Fault>& warnings) {
@@ -209,8 +229,8 @@ void look_at_sag(const std::string& name, const TouchdownParameters& b, double s
   };
   const auto& g = p.run.gravity;
   if (is_ribbon) {
-    // Estimates: impacts of a drop press with some ten times the weight; a ribbon is there to slip in them.
-    constexpr double most_slip = 20., least_slip = 1e-3;
+    // Estimates: impacts of a drop press with some ten times the weight; a ribbon is there to slip in them, not under any load.
+    constexpr double most_slip = 20., least_slip = 0.02;
     // Until it slips it has its stick stiffness.
     const double weight = share * std::hypot(g[1], g[2]);
     if (!support.ribbon->slip_force || weight > *support.ribbon->slip_force)
@@ -223,6 +243,7 @@ void look_at_sag(const std::string& name, const TouchdownParameters& b, double s
                        name, *support.ribbon->slip_force, *support.ribbon->slip_force / weight,
                        *support.ribbon->slip_force > weight ? "never" : "always"),
            "A bare number is in N.");
+    look_at_slider(name, *support.ribbon, own, warnings);
     return;
   }
   if (support.type == "elastomer" && support.elastomer && !support.elastomer->storage.empty())
