@@ -1,10 +1,14 @@
 #include "case/given_values.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <map>
 #include <nlohmann/json.hpp>
+#include <vector>
 
 #include "base/errors.h"
 #include "base/units.h"
@@ -48,11 +52,49 @@ bool is_default(const Node& value, const Node& fallback, const std::string& unit
   return std::fabs(a - b) <= 1e-12 * std::fabs(b);
 }
 
+std::string in_si(const std::string& text) {
+  return resolved_in_si(case_sections(), parse_toml(text, "parameters.toml"));
+}
+
+using NamedValues = std::map<std::string, std::string>;
+
+void collect(const Node& table, const std::string& path, NamedValues& to) {
+  for (const auto& entry : table.entries())
+    if (const std::string name = path + (path.empty() ? "" : ".") + entry.key; entry.value.is_table())
+      collect(entry.value, name, to);
+    else
+      to[name] = shortened(to_text(entry.value), 40);
+}
+
 }  // namespace
+
+std::string differing_parameters(const std::string& before, const std::string& now) {
+  NamedValues old_values, new_values;
+  try {
+    collect(parse_toml(in_si(before), "parameters.toml"), "", old_values);
+    collect(parse_toml(in_si(now), "parameters.toml"), "", new_values);
+  } catch (const InputError&) {
+    return {};
+  }
+  NamedValues all = old_values;
+  all.insert(new_values.begin(), new_values.end());
+  constexpr std::size_t most_shown = 5;
+  std::vector<std::string> differing;
+  for (const auto& [name, value] : all) {
+    const auto a = old_values.find(name), b = new_values.find(name);
+    const std::string then = a == old_values.end() ? "none" : a->second,
+                      here = b == new_values.end() ? "none" : b->second;
+    if (then != here) differing.push_back(fmt::format("{} ({}, now {})", name, then, here));
+  }
+  const std::size_t n = differing.size();
+  differing.resize(std::min(n, most_shown));
+  return fmt::format("{}{}", fmt::join(differing, ", "),
+                     n > most_shown ? fmt::format(" and {} more", n - most_shown) : "");
+}
 
 std::string digest_of_parameters(const std::string& text) {
   try {
-    return sha256_of_toml(resolved_in_si(case_sections(), parse_toml(text, "parameters.toml")));
+    return sha256_of_toml(in_si(text));
   } catch (const InputError&) {
     return sha256_of_toml(text);
   }

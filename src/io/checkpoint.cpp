@@ -292,17 +292,24 @@ Checkpoint read_checkpoint(const fs::path& path) {
 }
 
 void require_same_case(const fs::path& path, const Checkpoint& checkpoint, const std::string& parameter_digest,
-                       const std::vector<std::string>& entry_names) {
+                       const std::vector<std::string>& entry_names, const std::function<std::string()>& differs) {
   Faults faults;
   if (checkpoint.entry_names != entry_names)
     faults.add({path.string()},
                "this checkpoint belongs to another machine: " + difference(checkpoint.entry_names, entry_names));
-  if (checkpoint.parameter_digest != parameter_digest)
-    faults.add({path.string()},
-               "this checkpoint was written with other parameters (digest " + checkpoint.parameter_digest +
-                   "; this case has " + parameter_digest + ").",
-               "Compare the parameters saved beside the results with those of this case, or start afresh. A mesh, a "
-               "recording or a module of parts that the case names must be what it was, too.");
+  if (checkpoint.parameter_digest != parameter_digest) {
+    const std::string differing = differs ? differs() : "";
+    if (differing.empty())
+      faults.add({path.string()},
+                 "this checkpoint was written with other parameters (digest " + checkpoint.parameter_digest +
+                     "; this case has " + parameter_digest + ").",
+                 "Compare the parameters saved beside the results with those of this case, or start afresh. A mesh, a "
+                 "recording or a module of parts that the case names must be what it was, too.");
+    else
+      faults.add({path.string()}, "this checkpoint was written with other parameters: " + differing + ".",
+                 "Set them back and go on, or start afresh in another directory: a run ends with what it began with, "
+                 "limits and title included.");
+  }
   faults.throw_if_any();
 }
 

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <optional>
 #include <string>
@@ -35,10 +36,12 @@ std::filesystem::path write_checkpoint(const std::filesystem::path& directory, c
 [[nodiscard]] Checkpoint read_checkpoint(const std::filesystem::path& path);
 
 /// Refuses a checkpoint of another case; the message says which entries differ.
-/// @param path  of the checkpoint, for the message
+/// @param path     of the checkpoint, for the message
+/// @param differs  asked for which parameters differ, if some do; empty if that is not known
 /// @throws InputError
 void require_same_case(const std::filesystem::path& path, const Checkpoint& checkpoint,
-                       const std::string& parameter_digest, const std::vector<std::string>& entry_names);
+                       const std::string& parameter_digest, const std::vector<std::string>& entry_names,
+                       const std::function<std::string()>& differs = {});
 
 struct FoundCheckpoint {
   std::filesystem::path path;            ///< empty if none was found

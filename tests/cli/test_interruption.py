@@ -325,7 +325,16 @@ class Interruption(ProgramTest):
         self.stop(self.begin(until=self.is_under_way), signal.SIGKILL)
         done = self.call("run", "reference.toml", "-o", "out", *LONG, *settings(contact__friction_coefficient="0.2"), "--resume")
         self.assertEqual(done.returncode, 2, done.stderr)
-        self.assertRegex(done.stderr, "the run of another case")
+        self.assertRegex(done.stderr, r"the run of another case: contact\.friction_coefficient \(0\.1, now 0\.2\)")
+
+    def test_what_differs_from_the_case_of_a_checkpoint_is_named(self):
+        code, _, err = self.stop(self.begin(until=self.is_under_way), signal.SIGINT)
+        self.assertEqual(code, 130, err)
+        done = self.call("run", "reference.toml", "-o", "out", *LONG, "--set", 'limits."bearings.*.peak_contact_force".max="6 kN"', "--set", "contact.friction_coefficient=0.2", "--resume")
+        self.assertEqual(done.returncode, 2, done.stdout)
+        self.assertRegex(done.stderr, r"written with other parameters: contact\.friction_coefficient \(0\.1, now 0\.2\), limits\.bearings\.\*\.peak_contact_force\.max \(none, now 6 kN\)\.")
+        # However a number is written, it is the same; and the run goes on.
+        self.resume("--set", "contact.friction_coefficient=1e-1")
 
     def test_checkpoints_that_cannot_be_read_are_named(self):
         self.stop(self.begin(until=self.is_under_way), signal.SIGINT)

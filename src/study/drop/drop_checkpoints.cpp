@@ -126,6 +126,12 @@ void DropCheckpoints::resume() {
   }
 }
 
+/// What stands beside the results; empty if nothing does.
+std::string DropCheckpoints::earlier_parameters() const {
+  std::ifstream file(directory_ / "parameters.toml");
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
 /// @param newer  a checkpoint that is of no use; empty at first
 /// @return the checkpoint; empty if the run starts anew
 fs::path DropCheckpoints::read_newest(const fs::path& newer) {
@@ -142,18 +148,22 @@ fs::path DropCheckpoints::read_newest(const fs::path& newer) {
       throw InputError({where, 0, 0}, "there is no checkpoint to go on from",
                        "The run was finished, or its checkpoints were removed.");
     // Killed before its first checkpoint: it starts anew, but only as what it was.
-    std::ifstream earlier(directory_ / "parameters.toml");
-    const std::string text{std::istreambuf_iterator<char>(earlier), {}};
-    if (!text.empty() && digest_of_parameters(text) != parameter_digest())
-      throw InputError({where, 0, 0}, "the directory holds the run of another case",
-                       "Choose another with -o DIR, or replace the results with --force.");
+    const std::string earlier = earlier_parameters();
+    if (!earlier.empty() && digest_of_parameters(earlier) != parameter_digest()) {
+      const std::string differing = differing_parameters(earlier, parameters_);
+      throw InputError(
+          {where, 0, 0},
+          fmt::format("the directory holds the run of another case{}", differing.empty() ? "" : ": " + differing),
+          "Choose another with -o DIR, or replace the results with --force.");
+    }
     if (tell_) tell_("there is no checkpoint yet: the run starts anew");
     return {};
   }
   if (tell_)
     for (const auto& file : found.skipped) tell_("a newer checkpoint cannot be read: " + file);
   const Checkpoint& c = *found.checkpoint;
-  require_same_case(found.path, c, digest(), entry_names_);
+  require_same_case(found.path, c, digest(), entry_names_,
+                    [this] { return differing_parameters(earlier_parameters(), parameters_); });
   try {
     const auto& clocks = c.extras.at("clocks");
     if (clocks.size() != 2) throw std::invalid_argument("a checkpoint of another kind");

@@ -40,6 +40,7 @@ class DropCheckpoints final : public Observer {
   /// Digests of the parameters, made when a checkpoint is first written or read, since most runs end before; and of these with the files that they name.
   const std::string& parameter_digest();
   std::string digest() { return sha256_of(parameter_digest() + digests_of_files_); }
+  [[nodiscard]] std::string earlier_parameters() const;
   std::filesystem::path read_newest(const std::filesystem::path& newer);
   void write(const std::filesystem::path& directory, double time, std::span<const double> state);
   std::filesystem::path written(const std::filesystem::path& directory, double time, std::span<const double> state);

@@ -180,6 +180,13 @@ TEST_F(CheckpointTest, RefusesOtherParametersAndSaysWhatToDo) {
       << message;
 }
 
+TEST_F(CheckpointTest, NamesTheParametersThatDifferWhereTheyAreKnown) {
+  const auto message = message_of(
+      [] { require_same_case("c.h5", example(), "0000", example().entry_names, [] { return "a.b (1, now 2)"; }); });
+  EXPECT_NE(message.find("other parameters: a.b (1, now 2)."), std::string::npos) << message;
+  EXPECT_EQ(message.find("digest"), std::string::npos) << message;
+}
+
 TEST_F(CheckpointTest, NamesTheEntriesThatDiffer) {
   auto names = example().entry_names;
   names[2] = "TB3/inner ring spin";
