@@ -141,10 +141,12 @@ int heat_command(const HeatCommand& command) {
   options.force = command.force;
   options.stop = &caught_signal();
   nlohmann::ordered_json summary;
+  std::string left_out;
   const bool is_of_a_bearing = is_bearing_heat_case(command.file);
   if (is_of_a_bearing) {
     const auto heat_case = read_bearing_heat_case(command.file, command.overrides);
     tell_warnings(heat_case->drop.warnings);
+    left_out = limits_left_out_text(*heat_case);
     catch_signals();
     summary = run_bearing_heat(*heat_case, options);
   } else {
@@ -157,7 +159,7 @@ int heat_command(const HeatCommand& command) {
     fmt::print("rotordrop {} ({})   heat conduction, case {}\n{}", version(), git_revision(),
                summary["case"].get<std::string>(),
                is_of_a_bearing ? bearing_heat_summary_text(summary) : heat_summary_text(summary));
-    fmt::print("{}results in {}\n", warnings_text(summary["warnings"]), options.directory.string());
+    fmt::print("{}{}results in {}\n", left_out, warnings_text(summary["warnings"]), options.directory.string());
   }
   if (summary["completed"].get<bool>()) return 0;
   fmt::print(stderr, "interrupted; results so far are in {}\n", options.directory.string());

@@ -130,6 +130,12 @@ class Damage(ProgramTest):
             self.assertEqual((damage["governed_by"], damage["allowed_drops"]), (governed, math.floor(1 / shares[governed] * (1 + 1e-12))))
             self.assertIn("ISO 281", damage["basis"][1])
             self.assertRegex(done.stdout, rf"allowed drops: {damage['allowed_drops']} \({governed}\)")
+        # A part of a drop is none, whatever its digits: the page's count until the permitted depth is whole, too.
+        self.succeed("report", "out")
+        rows = {row["name"]: row for row in page_data((self.folder / "out/report.html").read_text())["numbers"]["rows"]}
+        drops = [bearing["wear"]["drops_until_limit"] for bearing in self.summary()["bearings"].values()]
+        self.assertEqual(rows["number of such drops until the permitted wear depth"]["values"], [str(math.floor(n)) for n in drops])
+        self.assertTrue(any(f"{n:.0f}" != str(math.floor(n)) for n in drops), "one of them would be rounded up")
 
     def test_too_little_static_safety_allows_none(self):
         done = self.succeed("run", "reference.toml", "-o", "out", *RATED, *settings(bearings__required_static_safety=1e6))

@@ -327,6 +327,13 @@ class HeatOfABearing(ProgramTest):
             self.assertLess(abs(energy["residual"]), within * energy["input"], name)
             self.assertGreater(energy["stored"], 0, name)
 
+    def test_limits_of_the_drop_are_said_not_to_be_assessed(self):
+        note = "the case's [limits] are those of a drop (rotordrop run): none of them is assessed here"
+        for limits, is_said in (("", False), ('[limits]\n"bearings.*.peak_contact_force" = { max = "1 N" }\n', True)):
+            case = self.case(limits + BEARING + STEADY)
+            for command in (["check", case], ["heat", case, "-o", "out", "--force"]):
+                self.assertEqual(note in self.succeed(*command).stdout, is_said, command)
+
     def test_a_stated_conductance_is_the_heated_bearings_alone_and_as_stated(self):
         """TB1's ring, joined to the heated TB2 by a resistor, passes heat on through its own balls: the ratio of its rings' rises is its own."""
         text = '''

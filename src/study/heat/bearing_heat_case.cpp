@@ -259,7 +259,14 @@ std::string bearing_heat_case_text(const BearingHeatCase& c) {
   for (const auto& model : c.models) models += (models.empty() ? "" : ", ") + model.name;
   return fmt::format("bearing {}: models {}; {:.6g} J in {} changes; {} probes at {} times up to {:.6g} s\n", c.bearing,
                      models, c.history.turnover(c.end_time), c.history.changes().size(), c.probes.size(),
-                     c.output_times.size(), c.end_time);
+                     c.output_times.size(), c.end_time) +
+         limits_left_out_text(c);
+}
+
+std::string limits_left_out_text(const BearingHeatCase& c) {
+  return c.drop.parameters.limits.empty()
+             ? ""
+             : "the case's [limits] are those of a drop (rotordrop run): none of them is assessed here\n";
 }
 
 }  // namespace rotordrop

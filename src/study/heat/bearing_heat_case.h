@@ -48,5 +48,7 @@ std::unique_ptr<BearingHeatCase> read_bearing_heat_case(const std::filesystem::p
 
 /// Describes a case in a few lines.
 std::string bearing_heat_case_text(const BearingHeatCase& heat_case);
+/// That the case's limits are not assessed; empty if it has none.
+std::string limits_left_out_text(const BearingHeatCase& heat_case);
 
 }  // namespace rotordrop

@@ -57,7 +57,11 @@ void add_summary(Rows& rows, std::size_t column, const Json& b, double ambient, 
     const Json& value = b.at(pointer);
     std::string text = "—";
     if (value.is_number()) {
-      text = fmt::format("{:.{}g}", value.get<double>() * r.per_si, r.unit == std::string("rpm") ? 5 : 4);
+      constexpr double largest_count = 1e6;
+      const double shown = value.get<double>() * r.per_si;
+      const bool is_count = *r.unit == 0 && shown < largest_count;  // of drops: what is left of one is none
+      text = is_count ? fmt::format("{:.0f}", std::floor(shown * (1. + 1e-12)))
+                      : fmt::format("{:.{}g}", shown, r.unit == std::string("rpm") ? 5 : 4);
       if (r.unit == std::string("K")) text += fmt::format(" ({})", in_celsius(ambient + value.get<double>()));
     }
     rows.set(column, name_in_run(r, end), r.unit, text);
