@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""What must hold for every machine, tried on random valid ones: balances, symmetries, units, restarts, even heating.
+"""What must hold for every machine, tried on random valid ones: balances, symmetries, units, restarts, lanes, even heating.
 
     tests/faults/properties.py build/release/rotordrop [MACHINES] [SEED] [--save DIR]
 
@@ -140,6 +140,7 @@ class Program:
         done = subprocess.run([self.path, *words], cwd=self.folder, env={**os.environ, **environment}, capture_output=True, text=True, timeout=300)
         if done.returncode:
             raise AssertionError(f"exit {done.returncode}: {done.stderr.strip()[:600]}")
+        self.said = done.stderr
         return done.stdout
 
     def drop(self, machine, **environment):
@@ -310,7 +311,34 @@ def even_heating(program, machine, summary):
             raise AssertionError(f"even heating: preload of {name} goes from {a} to {b} N")
 
 
-PROPERTIES = [energy_closes, spin_momentum, restart_anywhere, mirror_image, turned_by_a_ball, order_and_names, units, even_heating]
+def side_by_side(program, machine, _):
+    """Eight drops in the lanes of a study are those alone, within what rounding makes of them; with balls, waves and supports that lanes know."""
+    rng = random.Random(repr(machine["speed"]))
+    machine = {**copy.deepcopy(machine), "integration": 'method = "tsitouras"\ntolerance = 1e-10', "output": 'interval = "1 ms"'}
+    for bearing in machine["bearings"].values():
+        if rng.random() < 0.3:
+            bearing["ball_model"] = "inertial"
+        if rng.random() < 0.4:
+            bearing["waviness"] = [{"surface": rng.choice(["inner_race", "outer_race", "bore"]), "order": rng.randint(2, 12), "amplitude": rng.uniform(0.1e-6, 2e-6), "phase": rng.uniform(0, 6)}]
+        if rng.random() < 0.3:
+            stiffness = 10 ** rng.uniform(7.3, 8)
+            bearing["support"] = {"type": "ribbon", "mass": 1.0, "ribbon": {"stiffness": stiffness, "slip_force": rng.uniform(300, 2000), "stick_stiffness": 6 * stiffness}}
+    speeds = [machine["speed"] * (1 + 1e-3 * k) for k in range(9)]  # one more than there are lanes
+    program.write(machine)
+    (program.folder / "study.toml").write_text(f'case = "case.toml"\nlanes = true\n[vary]\nrun.initial_speed = {toml(speeds)}\n[design]\nkind = "grid"\n')
+    program.call("study", "study.toml", "-o", "study", "--force")
+    if "one by one" in program.said:
+        raise AssertionError(f"side by side: {program.said}")
+    with h5py.File(program.folder / "study/study.h5") as file:
+        lanes = {key: file[f"results/{key}"][()] for key in file["results"]}
+    for k in (0, rng.randrange(1, 8), 8):
+        one = {**machine, "speed": speeds[k]}
+        alone = scalars(program.drop(one))
+        in_lane = {name: {key: None if math.isnan(value := float(lanes[f"bearings.{name}.{key}"][k])) else value for key in values} for name, values in alone.items()}
+        require_equal(program, one, alone, in_lane, f"side by side, drop {k}")
+
+
+PROPERTIES = [side_by_side, energy_closes, spin_momentum, restart_anywhere, mirror_image, turned_by_a_ball, order_and_names, units, even_heating]
 
 
 def fault_of(program, machine, property_):
