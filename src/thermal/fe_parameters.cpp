@@ -53,6 +53,13 @@ Section<FeParameters> fe_section() {
                  "less than 0.1 % of its heat is missing",
        .help = "How far a meshed shaft reaches beyond shaft_lump_length to each side; at most to the rotor's end "
                "or half-way to the next touchdown bearing. Of thermal.fe.shaft = \"beyond\"."});
+  s.quantity("shaft_contact_resistance", &P::shaft_contact_resistance,
+             {.unit = "K/W",
+              .range = positive(),
+              .usual = between(1e-4, 10),
+              .source = "estimate, if not given: R2 of the circuit, 1/(4 pi k W)",
+              .help = "Between the surfaces of a meshed shaft and of the bore: the contact's own, since the shaft and "
+                      "the ring conduct by themselves. Of thermal.fe.shaft = \"bearing\" or \"beyond\"."});
   s.text("mesh", &P::mesh,
          {.help = "Your own mesh to use instead: a gmsh .msh file or .geo script, next to the case. NAME stands for "
                   "the bearing's name: \"meshes/NAME.msh\". Requirements: docs/how-to/mesh.md."});
@@ -121,6 +128,10 @@ Section<FeParameters> fe_section() {
                  "thermal.fe.shaft_reach is that of a shaft meshed beside the bearing, and thermal.fe.shaft is not "
                  "\"beyond\".",
                  "Leave it out, or set thermal.fe.shaft = \"beyond\".");
+    if (p.shaft_contact_resistance && p.shaft == FeShaft::lump)
+      faults.add(position_of_value(table, "shaft_contact_resistance"),
+                 "thermal.fe.shaft_contact_resistance is that of a meshed shaft, and thermal.fe.shaft is \"lump\".",
+                 "Leave it out, or set thermal.fe.shaft = \"bearing\" or \"beyond\".");
     if (p.surface_cell > p.largest_cell)
       faults.add(position_of_value(table, "surface_cell"),
                  "thermal.fe.surface_cell is larger than thermal.fe.largest_cell.", "Cells grow away from surfaces.");

@@ -26,7 +26,8 @@ struct FeParameters {
   std::optional<double> strip_half_width;
   double relieved_shoulder = 0;
   FeShaft shaft = FeShaft::lump;
-  std::optional<double> shaft_reach;  ///< [m]
+  std::optional<double> shaft_reach;               ///< [m]
+  std::optional<double> shaft_contact_resistance;  ///< [K/W]
   std::optional<std::string> mesh;
   FeSection section = FeSection::grooved;
   FeCoupling coupling = FeCoupling::reduced;

@@ -85,6 +85,7 @@ void make_sections(const MachineParameters& p, FiniteElements& elements, Reducti
     settings.numerics.degree = fe.degree;
     settings.numerics.solver = fe.solver;
     settings.numerics.cells = std::max(2, static_cast<int>(std::lround(8 * fe.refinement)));
+    settings.shaft_contact = fe.shaft_contact_resistance;
     settings.rows_apart = of_a_drop && heats_rows_apart(*b);
     settings.housing_film = elements.alone && fe.coupling == FeCoupling::windowed;
     if (elements.alone) settings.numerics.tolerance = elements.alone->time_tolerance;
@@ -134,7 +135,7 @@ std::vector<ReducedSection> reduced_sections(const MachineParameters& p, const F
     const auto circuit = circuit_data(p, entry.name, *b);
     section.balls_roll = circuit.balls_roll;
     if (circuit.shaft_ring_link == BearingCircuitData::Link::in_contact) {
-      const double touching = circuit_resistances(circuit).R2;
+      const double touching = p.thermal.fe.shaft_contact_resistance.value_or(circuit_resistances(circuit).R2);
       section.contact_link = {touching, touching + circuit.gap_resistance};
     }
     sections.push_back(std::move(section));

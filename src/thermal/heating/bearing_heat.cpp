@@ -142,7 +142,8 @@ HeatConductionProblem bearing_heat_problem(const BearingCircuitData& b, const Se
   } else if (!b.balls_roll) {
     p.links.insert(p.links.begin() + 1, {{inner_raceway_port, ball_port, R5}, {outer_raceway_port, ball_port, R5}});
   }
-  if (b.shaft_ring_link == BearingCircuitData::Link::permanent) p.links.push_back({shaft_port, bore_port, R.R2});
+  if (b.shaft_ring_link == BearingCircuitData::Link::permanent)
+    p.links.push_back({shaft_port, bore_port, settings.shaft_contact.value_or(R.R2)});
 
   for (const FinNode& fin : has_steps ? std::vector<FinNode>{} : b.fins) {
     const std::size_t port = p.ports.size(), before = fin.is_first ? std::size_t{shaft_port} : port - 1;

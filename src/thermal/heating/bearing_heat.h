@@ -1,4 +1,6 @@
 #pragma once
+#include <optional>
+
 #include "laws/bearing_growth.h"
 #include "model/heat_conduction.h"
 #include "thermal/circuit/bearing_circuit.h"
@@ -21,6 +23,7 @@ struct SectionSettings {
   HeatNumerics numerics;
   bool rows_apart = false;    ///< ports for each row's strips, if the mesh has them
   bool housing_film = false;  ///< eq. (16) on the housing's outside, with the local rise: the problem is not linear
+  std::optional<double> shaft_contact = {};  ///< [K/W] between a meshed shaft and the bore; R2 without
 };
 
 /// The section of a touchdown bearing with the circuit's data: inner ring, outer ring and housing as bodies, balls (and shaft) as nodes.
