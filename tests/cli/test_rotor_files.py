@@ -129,6 +129,71 @@ class RotorFiles(ProgramTest):
         self.assertEqual(json.loads((self.folder / "back.json").read_text()), tomllib.loads((self.folder / "back.toml").read_text()))
         self.assertIn("must end in .toml or .json", self.convert("export", "own.toml", "back.rot", code=2))
 
+    def test_nothing_of_a_case_is_lost_on_the_way_to_ross(self):
+        """Bores by either key, quantities with units, names that are there twice, a default material beside one that is called material."""
+        self.write("own.toml", """
+rotor.modal_damping = 0
+run.initial_speed = 0
+rotor.unbalance = [{ node = 1, me = "1 g mm" }]
+[rotor.geometry]
+material = { E = "200 GPa", nu = 0.3, rho = "7.8 g/cm3" }
+materials = { material = { E = 7e10, nu = 0.33, rho = 2700 } }
+nodes = [{ id = 1, x = 0 }, { id = 2, x = "200 mm" }, { id = 3, x = 0.4 }, { id = 4, x = 0.6 }]
+elements = [{ n1 = 1, n2 = 2, od = "50 mm", bore = "20 mm", name = "a" }, { n1 = 2, n2 = 3, od = 0.06, id_ = 0.03, name = "a" }, { n1 = 3, n2 = 4, od = 0.05, material = "material" }]
+mass_points = [{ node = 2, mass = "3 kg", Ip = 0.01, Id = 0.006, name = "disk" }, { node = 3, mass = 1, name = "disk" }]
+[bearings.A]
+type = "linear"
+node = 1
+stiffness = [["10 N/um", 0], [0, 1e7]]
+[bearings.B]
+type = "linear"
+node = 4
+stiffness = [["1e7 N/m", 0], [0, "10 kN/mm"]]
+[bearings.AMB]
+type = "magnet"
+node = 2
+stiffness = [[1e6, 0], [0, 1e6]]
+damping = [[100, 0], [0, 100]]
+release_time = ["0 s", "0 s"]
+""")
+        said = self.convert("export", "own.toml", "back.toml")
+        for note in ("a second element by the name a is called a (2)", "a second mass point by the name disk is called disk (2)", "the unbalance is left out", 'bearings.AMB, of type "magnet", is left out'):
+            self.assertIn(note, said)
+        self.convert("import", "back.toml", "again")
+        # pi/4 (D^2 - d^2) L rho of the three, and the disks.
+        mass = math.pi / 4 * 0.2 * (7800 * (0.05**2 - 0.02**2 + 0.06**2 - 0.03**2) + 2700 * 0.05**2) + 4
+        text = (self.folder / "own.toml").read_text()
+        self.write("linear.toml", text[:text.index("[bearings.AMB]")])
+        back = tomllib.loads((self.folder / "back.toml").read_text())
+        elements = [value for key, value in back.items() if key.startswith("ShaftElement")]
+        self.assertEqual([(e["odl"], e["idr"], e["material"]["E"], e["material"]["name"]) for e in elements], [(0.05, 0.02, 2e11, "material (2)"), (0.06, 0.03, 2e11, "material (2)"), (0.05, 0, 7e10, "material")])
+        self.assertAlmostEqual(sum(math.pi / 4 * e["L"] * (e["odl"] ** 2 - e["idl"] ** 2) * e["material"]["rho"] for e in elements) + sum(value["m"] for key, value in back.items() if key.startswith("Disk")), mass, delta=1e-9)
+        for a, b in zip(self.frequencies("linear.toml"), self.frequencies("again/drop.toml")):
+            self.assertLess(abs(a / b - 1), 1e-9)
+        for wrong, right, says in (('"20 mm"', '"20 furlong"', "bore of element 1 = '20 furlong': write a number in SI, or one of the units cm, in, m, mm, um"), ("\nrotor.modal", '\nbase = "x.toml"\nrotor.modal', "it has a base, which is not followed here")):
+            self.write("wrong.toml", text.replace(wrong, right, 1))
+            self.assertIn(says, self.convert("export", "wrong.toml", "wrong.json", code=2))
+            self.assertFalse((self.folder / "wrong.json").exists())
+
+    def test_the_parameters_beside_results_are_exported_with_all_layers(self):
+        self.run_case("reference.toml", run__end_time="1 us")
+        said = self.convert("export", "out/parameters.toml", "back.json")
+        self.assertIn('bearings.TB1, of type "touchdown", is left out', said)
+        self.convert("export", "reference.toml", "direct.json")
+        self.assertEqual(json.loads((self.folder / "back.json").read_text()), json.loads((self.folder / "direct.json").read_text()))
+
+    def test_names_that_are_there_twice_replace_nothing_of_ross(self):
+        text = ROSS.replace("rho = 7810.0\nE = 211000000000.0\nG_s = 81200000000.0", "rho = 2700.0\nE = 7e10\nG_s = 2.63e10", 1)
+        text += BEARING.format(k=0, n=3).replace("BearingElement_Bearing", "SealElement_Bearing").replace("kyy = [8e5]\n", "").replace("1e6", "2e5")
+        self.write("rotor.toml", text)
+        said = self.convert("import", "rotor.toml", "rotor")
+        self.assertIn("another material by the name Steel, called Steel (2) here", said)
+        self.assertIn("a second support by this name, called Bearing_0_2 here", said)
+        case, rotor = tomllib.loads((self.folder / "rotor/drop.toml").read_text()), json.loads((self.folder / "rotor/rotor.json").read_text())
+        self.assertEqual({name: b["node"] for name, b in case["bearings"].items()}, {"Bearing_0": 1, "Bearing_1": 7, "Bearing_0_2": 4})
+        self.assertEqual(case["bearings"]["Bearing_0_2"]["stiffness"], [[2e5, 0], [0, 2e5]], "kyy is kxx where it is not given")
+        self.assertEqual([rotor["materials"][e["material"]]["rho"] for e in rotor["elements"]], [2700.0] + 5 * [7810.0])
+
     def test_faults_of_tables_are_told(self):
         for text, said in (("length [mm], diameter [mm]\n10, 20\n", 'unknown column "diameter [mm]"'), ("length [kg], outer_diameter [mm]\n10, 20\n", "allowed: cm, in, m, mm, um"),
                            ("length [mm], outer_diameter [mm]\n10\n", "section 1 has 1 values"), ("length [mm], outer_diameter [mm]\nx, 20\n", "section 1"),
