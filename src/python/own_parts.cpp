@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 
 #include "base/parameters/value_reader.h"
 #include "base/units.h"
@@ -105,8 +106,10 @@ void refuse_returned(const std::string& function, const std::string& expected, c
                                     py::repr(returned)[py::slice(0, 60, 1)].cast<std::string>()));
 }
 
-std::vector<double> numbers_of(const py::handle& values, std::size_t n, const std::string& function) {
-  const std::string expected = fmt::format("{} {}", n, n == 1 ? "number" : "numbers");
+namespace {
+
+/// A list of real numbers. @param expected  in words
+std::vector<double> list_of(const py::handle& values, const std::string& expected, const std::string& function) {
   const auto given = real_array(values);
   if (!given || given.ndim() != 1) refuse_returned(function, expected, values);
   const auto array = py::array_t<double, py::array::c_style | py::array::forcecast>::ensure(given);
@@ -114,7 +117,23 @@ std::vector<double> numbers_of(const py::handle& values, std::size_t n, const st
     PyErr_Clear();
     refuse_returned(function, expected, values);
   }
-  std::vector<double> numbers(array.data(), array.data() + array.size());
+  return {array.data(), array.data() + array.size()};
+}
+
+}  // namespace
+
+std::vector<double> times_of(const py::handle& values, const std::string& function) {
+  if (py::isinstance<py::sequence>(values) && py::len(values) == 0) return {};
+  auto times = list_of(values, "a list of times [s]", function);
+  for (const double t : times)
+    if (!std::isfinite(t) || t < 0.)
+      throw py::value_error(fmt::format("{} must return times of 0 s and later, and returned {}", function, t));
+  return times;
+}
+
+std::vector<double> numbers_of(const py::handle& values, std::size_t n, const std::string& function) {
+  const std::string expected = fmt::format("{} {}", n, n == 1 ? "number" : "numbers");
+  const auto numbers = list_of(values, expected, function);
   if (numbers.size() != n)
     throw py::value_error(fmt::format("{} must return {}, and returned {}", function, expected, numbers.size()));
   return numbers;

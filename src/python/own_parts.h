@@ -66,6 +66,8 @@ pybind11::object array_of(std::span<const double> values);
                                   const pybind11::handle& returned);
 /// Numbers that a Python function has returned. @throws ValueError unless there are n real ones
 std::vector<double> numbers_of(const pybind11::handle& values, std::size_t n, const std::string& function);
+/// A list of times since the release [s]. @throws pybind11::value_error
+std::vector<double> times_of(const pybind11::handle& values, const std::string& function);
 /// Likewise one number.
 double number_of(const pybind11::handle& value, const std::string& function);
 

@@ -34,7 +34,7 @@ class PythonSupport final : public Support {
   PythonSupport(std::string name, py::object part) : name_(std::move(name)), part_(std::move(part)) {
     states_ = state_entries_of(part_.attr("states"));
     observables_ = observables_of(part_.attr("series"));
-    if (py::hasattr(part_, "instants")) instants_ = part_.attr("instants")().cast<std::vector<double>>();
+    if (py::hasattr(part_, "instants")) instants_ = times_of(part_.attr("instants")(), name_ + ".instants()");
     initial_ = numbers_of(part_.attr("initial_state")(), states_.size(), name_ + ".initial_state()");
   }
   ~PythonSupport() override {

@@ -28,7 +28,7 @@ class Faults(unittest.TestCase):
 
     def test_random_machines_have_the_properties(self):
         with tempfile.TemporaryDirectory() as folder:
-            self.assertIn("4 machines, 4 of them touched, 8 properties each: 0 failures", self.call("properties", 4, 5, "--save", folder))
+            self.assertIn("4 machines, 4 of them touched, 9 properties each: 0 failures", self.call("properties", 4, 5, "--save", folder))
 
 
 class ThePropertiesCanFail(unittest.TestCase):
@@ -78,6 +78,19 @@ class ThePropertiesCanFail(unittest.TestCase):
         self.program.drop = wrong
         with self.assertRaises(AssertionError):
             self.properties.spin_momentum(self.program, self.machine, self.summary)
+
+    def test_lanes(self):
+        real = self.program.drop
+        # The drop alone is another by a thousandth of its speed: that of the lane beside it.
+        self.program.drop = lambda machine, **isa: real({**machine, "speed": 1.001 * machine["speed"]}, **isa)
+        with self.assertRaises(AssertionError):
+            self.properties.side_by_side(self.program, self.machine, None)
+        self.program.drop = real
+        # What does not run in lanes is no test of them.
+        text = self.properties.case_text
+        self.properties.case_text = lambda m: text(m).replace('type = "touchdown"', 'type = "touchdown"\nring_motion = "free"\nring_diametral_inertia = 1e-3')
+        with self.assertRaisesRegex(AssertionError, "one by one"):
+            self.properties.side_by_side(self.program, self.machine, None)
 
     def test_restarts(self):
         self.properties.restart_anywhere(self.program, self.machine, self.summary)

@@ -120,6 +120,17 @@ class Measured(ProgramTest):
             self.succeed("compare", "truth", "--measured", "m.csv", "-o", "m.json", "--force")
             self.assertEqual(json.loads((self.folder / "m.json").read_text())["measured"][0]["unit"], unit)
 
+    def test_times_are_no_series(self):
+        for series in ("/time", "/detail/time"):
+            self.write("m.csv", f"t [ms],{series} [ms]\n1,1\n2,2\n3,3\n")
+            done = self.call("compare", "truth", "--measured", "m.csv", "-o", "m.json")
+            self.assertEqual(done.returncode, 2, done.stdout)
+            self.assertIn(f'measured.series = "{series}" holds the times of other series', done.stderr)
+            self.write("s.toml", f'case = "drop.toml"\n[vary]\ncontact.friction_coefficient = [0.1, 0.2]\n[design]\nkind = "grid"\n[keep]\nseries = ["{series}"]\n')
+            done = self.call("study", "s.toml", "-o", "s")
+            self.assertEqual(done.returncode, 2, done.stdout)
+            self.assertRegex(done.stderr, rf"s\.toml:7:\d+: keep\.series: {series} holds the times of other series")
+
     def test_the_noise_is_a_number_in_the_values_unit_or_a_quantity(self):
         found = []
         for deviation in ("0.8", '"0.8"', '"0.8 um"', '"0.0008 mm"', "0.9"):

@@ -212,7 +212,8 @@ class Faults(PackageTest):
         result = case.run()
         for wrong, words in ((lambda: case.run(keep=[5]), "keep must be paths of series"), (lambda: result[5], "name of a series must be a text"), (lambda: result.select(5), "name of a series"),
                              (lambda: rd.add_support(int), "derived from rotordrop.Support"), (lambda: rd.add_thermal_model(5), "derived from rotordrop.ThermalModel"),
-                             (lambda: rd.compare("out"), "drop must be a Result"), (lambda: rd.compare(result, "out"), "against must be a Result"), (lambda: case.preload(drop="out"), "drop must be a Result")):
+                             (lambda: rd.compare("out"), "drop must be a Result"), (lambda: rd.compare(result, "out"), "against must be a Result"), (lambda: case.preload(drop="out"), "drop must be a Result"),
+                             (lambda: rd.Case(SETTLING, "contact.air_gap=1e-4"), "overrides must be a dictionary, such as")):
             with self.subTest(words), self.assertRaisesRegex(TypeError, words):
                 wrong()
 
@@ -226,6 +227,22 @@ class Faults(PackageTest):
         for quantity in (5, "5 m"):
             with self.subTest(quantity), self.assertRaisesRegex(rd.InputError, "'foo' is not known"):
                 rd.si(quantity, "foo")
+
+    def test_units_that_count_from_another_zero_are_no_targets(self):
+        """As a rise or as a temperature: 68 degF would be 37.8 or 20 degC."""
+        for unit in ("degC", "degF"):
+            for quantity in ("68 degF", 20.0):
+                with self.subTest(unit), self.assertRaisesRegex(rd.InputError, "counts from another zero than 0 K"):
+                    rd.si(quantity, unit)
+        self.assertAlmostEqual(rd.si("68 degF", "K"), 293.15, delta=1e-9)
+        self.assertEqual(rd.si("1 K", "mK"), 1000)
+
+    def test_bounds_of_a_comparison_need_their_units(self):
+        result = rd.Case(SETTLING, {"run.end_time": "1 ms"}).run()
+        for name in ("tolerance", "floor", "growth_tolerance", "band_length"):
+            for bare in ("5", " 5e-3 "):
+                with self.subTest(name), self.assertRaisesRegex(rd.InputError, f"{name}: must have its unit, such as"):
+                    rd.compare(result, result, **{name: bare})
 
     def test_numbers_and_texts_that_a_case_cannot_hold_are_refused_with_their_key(self):
         for value in (10**400, "\ud800 um"):

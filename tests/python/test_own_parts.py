@@ -194,6 +194,9 @@ class Supports(PackageTest):
             ("python-path", {"series": [series._replace(name="a//b")]}, r'"a//b" cannot be the name of a dataset'),
             ("python-dotted", {"series": [series._replace(name="a.b")]}, r'"a\.b" cannot have a dot in its name'),
             ("python-time", {"series": [series._replace(name="time")]}, r'"time" cannot be called so'),
+            ("python-instant", {"instants": lambda self: 0.01}, r"A\.instants\(\) must return a list of times \[s\], and returned 0\.01"),
+            ("python-no-instant", {"instants": lambda self: [float("nan")]}, r"A\.instants\(\) must return times of 0 s and later, and returned nan"),
+            ("python-before", {"instants": lambda self: [0.01, -1e-3]}, r"and returned -0\.001"),
             ("python-columns", {"series": [series._replace(columns=("u", "u"))]}, r'"position" has two columns "u"'),
         ):
             with self.subTest(name), self.assertRaisesRegex(ValueError, message):

@@ -84,6 +84,9 @@ class Studies(PackageTest):
         with self.assertRaises(rd.InputError) as caught:
             rd.study(file, self.folder / "out")
         self.assertIn("no valid case", str(caught.exception))
+        for arguments, words in (({"jobs": 1.5}, "jobs: must be a whole number and is 1.5"), ({"jobs": -1}, "jobs: must be at least 0"), ({"overrides": {"run.until": None}}, "overrides: run.until is None")):
+            with self.assertRaisesRegex(rd.InputError, words):
+                rd.study(file, self.folder / "never", **arguments)
         with self.assertRaisesRegex(rd.InputError, "directory: is empty"):
             rd.study(file, "")
         for damaged in ("", '{"program": "rotordr', "[]", "{}"):

@@ -63,6 +63,7 @@ class Case:
         name: str = "case",
         folder: str | os.PathLike[str] | None = None,
     ) -> None:
+        require("overrides", overrides or {}, Mapping, "a dictionary, such as {'contact.air_gap': '250 um'}")
         self._read(source, [dict(overrides or {})], name, folder)
         warn_of(self.warnings)
 

@@ -50,7 +50,11 @@ def compare(
 
 
 def _bound(given: str, name: str, allowed: str) -> str:
-    """A text, as given: a bare number could be a part, per cent or SI."""
+    """A text, as given: a bare number could be a part, per cent or SI, also within a text."""
     if not isinstance(given, str):
         raise refused(name, f"must be a text with its unit, such as {allowed}, and is {given!r}")
-    return given
+    try:
+        float(given)
+    except ValueError:
+        return given
+    raise refused(name, f"must have its unit, such as {allowed}, and is {given!r}")

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import functools
 import json
+import numbers
 import os
 import pathlib
 import re
@@ -41,6 +42,9 @@ def _key(name: str) -> str:
 
 def _settings(overrides: Mapping[str, typing.Any]) -> list[str]:
     """Overrides as words of --set."""
+    for key, value in overrides.items():
+        if value is None:
+            raise refused("overrides", f"{key} is None; leave it out")
     return [f"{key}={_toml(value)}" for key, value in overrides.items()]
 
 
@@ -107,6 +111,8 @@ def study(
 
     What the case or one of its points has that is allowed but unusual is a CaseWarning, before the first drop. InputError for a wrong study, with the first points that are no valid cases. SolverError if it stopped after a failed drop, as on_failure = "stop" asks.
     """
+    if not isinstance(jobs, numbers.Integral) or isinstance(jobs, bool):
+        raise refused("jobs", f"must be a whole number and is {jobs!r}")
     if jobs < 0:
         raise refused("jobs", f"must be at least 0 and is {jobs}")
     if not os.fspath(directory):

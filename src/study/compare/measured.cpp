@@ -158,6 +158,9 @@ double deviation_in_si(const std::string& given, const UnitScale& value, const s
 }
 
 Measured made(const MeasuredParameters& keys, const Column& times, const Column& values, const SourcePosition& where) {
+  if (is_axis_of_times(keys.series))
+    throw InputError(where, fmt::format("measured.series = \"{}\" holds the times of other series.", keys.series),
+                     "Name what was measured, such as \"/bearings/TB1/orbit\".");
   Measured m = described(keys);
   const std::string unit = values.unit.empty() ? keys.unit : values.unit;
   const UnitScale time = scale_of(times.unit.empty() ? keys.time_unit : times.unit, where),
@@ -328,6 +331,8 @@ std::string left_out_text(const Measured& m, double end) {
   return fmt::format("values of {} in {} after the end of the drop, {:.6g} s, are left out: {} of {}.", m.name,
                      m.keys.file, end, n, n + m.data.times.size());
 }
+
+bool is_axis_of_times(const std::string& series) { return series.ends_with("/time"); }
 
 bool is_same_unit(const std::string& a, const std::string& b) {
   if (a == b) return true;

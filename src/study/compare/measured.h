@@ -44,6 +44,9 @@ Measured read_measured(const MeasuredParameters& keys, const std::filesystem::pa
 /// @throws InputError
 std::vector<Measured> read_measured_file(const std::filesystem::path& file);
 
+/// Whether a dataset of results.h5 holds the times of others, as "/time" and "/detail/time" do.
+bool is_axis_of_times(const std::string& series);
+
 /// Whether numbers in two SI units are the same, as in "J" and "N m".
 bool is_same_unit(const std::string& a, const std::string& b);
 

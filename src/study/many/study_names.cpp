@@ -56,10 +56,14 @@ void check_names(const Study& study, const Node& tree, Faults& faults) {
   for (const auto& derived : study.derived) check_derived(study, derived, faults);
   std::set<std::string> series;
   const Node* keep = tree.find("keep");
+  const SourcePosition where_series =
+      keep ? position_of_value(*keep, "series") : SourcePosition{study.file.string(), 0, 0};
   for (const auto& path : study.keep_series)
-    if (!series.insert(path).second)
-      faults.add(keep ? position_of_value(*keep, "series") : SourcePosition{study.file.string(), 0, 0},
-                 fmt::format("keep.series names {} twice.", path), "Name each dataset once.");
+    if (is_axis_of_times(path))
+      faults.add(where_series, fmt::format("keep.series: {} holds the times of other series, which bring them.", path),
+                 "Leave it out.");
+    else if (!series.insert(path).second)
+      faults.add(where_series, fmt::format("keep.series names {} twice.", path), "Name each dataset once.");
   std::set<std::pair<std::size_t, std::size_t>> pairs;
   const auto drawn = study.drawn();
   for (const auto& c : study.correlations)
