@@ -327,6 +327,21 @@ class HeatOfABearing(ProgramTest):
             self.assertLess(abs(energy["residual"]), within * energy["input"], name)
             self.assertGreater(energy["stored"], 0, name)
 
+    def test_what_a_material_does_not_stand_is_told(self):
+        probes = self.heat(BEARING + STEADY)["probes"]
+        hottest = {name: max(probe["temperature"]) for name, probe in probes.items()}
+        limit = hottest["lumped.inner_contact"] - 0.01
+        summary = self.heat(f"materials.steel.temperature_limit = {limit!r}\n" + BEARING + STEADY, "--force")
+        too_hot = {name.removeprefix("lumped.").replace("_", " ") for name, T in hottest.items() if T > limit and name != "lumped.shaft"}
+        self.assertIn("inner contact", too_hot)
+        warnings = [w for w in summary["warnings"] if w["code"] == "temperature"]
+        self.assertEqual({w["part"].split(" (")[0] for w in warnings}, too_hot)
+        for w in warnings:
+            self.assertEqual((w["place"], w["limit"]), ("TB1", limit))
+            self.assertAlmostEqual(w["worst"], hottest["lumped." + w["part"].split(" (")[0].replace(" ", "_")], delta=1e-9)
+        above = max(hottest.values()) + 0.01
+        self.assertEqual(self.heat(f"materials.steel.temperature_limit = {above!r}\n" + BEARING + STEADY, "--force")["warnings"], [])
+
     def test_limits_of_the_drop_are_said_not_to_be_assessed(self):
         note = "the case's [limits] are those of a drop (rotordrop run): none of them is assessed here"
         for limits, is_said in (("", False), ('[limits]\n"bearings.*.peak_contact_force" = { max = "1 N" }\n', True)):

@@ -8,6 +8,7 @@
 #include <stdexcept>
 #include <string_view>
 
+#include "analysis/watch/heated_parts.h"
 #include "analysis/watch/packed_numbers.h"
 #include "base/errors.h"
 #include "bearing/statics/bearing_statics.h"
@@ -39,22 +40,6 @@ TemperaturePath parts_of(const std::string& path) {
   TemperaturePath p{path.substr(1, second - 1), path.substr(second + 1, third - second - 1), path.substr(third + 1)};
   std::replace(p.part.begin(), p.part.end(), '_', ' ');
   return p;
-}
-
-/// Parts of a bearing whose material must keep its dimensions and hardness.
-bool is_of_bearing(const std::string& part) {
-  for (const std::string_view name :
-       {"inner ring", "outer ring", "ball", "bore", "inner raceway", "outer raceway", "inner contact", "outer contact"})
-    if (part.starts_with(name)) return true;
-  return false;
-}
-
-/// Material of a part that must keep its dimensions and hardness; null of other parts. Of the shaft only where a journal names its own: the heat of
-/// others is reckoned with that of the ring, whatever they are of.
-const MaterialParameters* material_of_part(const MachineParameters& p, const TouchdownParameters& b,
-                                           const std::string& part) {
-  if (part == "shaft") return b.journal ? find_material(p, *b.journal) : nullptr;
-  return is_of_bearing(part) ? find_material(p, part.starts_with("ball") ? b.ball : b.ring) : nullptr;
 }
 
 /// Names in checkpoints have no empty parts: "guards/ball-load/TB1/row 1", "guards/step-collapse".

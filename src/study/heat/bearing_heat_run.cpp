@@ -13,7 +13,9 @@
 #include "io/hdf5/hdf5_version.h"
 #include "io/hdf5/recorder.h"
 #include "io/results_folder.h"
+#include "study/drop/warning_summary.h"
 #include "study/heat/heat_balance.h"
+#include "study/heat/heat_guards.h"
 #include "study/heat/recorded_heat.h"
 
 namespace rotordrop {
@@ -51,7 +53,7 @@ Recorder make_recorder(const BearingHeatCase& c, const HeatRunOptions& options) 
 /// One computation from start to end.
 class BearingHeatRun {
  public:
-  BearingHeatRun(BearingHeatCase& c, const HeatRunOptions& options) : case_(c), options_(options) {
+  BearingHeatRun(BearingHeatCase& c, const HeatRunOptions& options) : case_(c), options_(options), guards_(c) {
     const auto& fe = c.drop.parameters.thermal.fe;
     if (has_section()) field_times_ = FieldTimes(fe.field_times, fe.field_interval.value_or(0.));
   }
@@ -115,6 +117,8 @@ class BearingHeatRun {
       for (auto& model : case_.models)
         model.heated->advance(until, case_.history.heat(time_), case_.history.rate(time_));
       time_ = until;
+      for (std::size_t m = 0; m < case_.models.size(); ++m)
+        guards_.look(m, time_, case_.models[m].heated->temperatures());
     }
   }
 
@@ -168,7 +172,7 @@ class BearingHeatRun {
       j["ball_conduction"] = {{"inner_to_ball", G->inner_to_ball},
                               {"outer_to_ball", G->outer_to_ball},
                               {"inner_to_outer", G->inner_to_outer}};
-    j["warnings"] = Json::array();
+    j["warnings"] = warnings_json(guards_.found());
     for (std::size_t m = 0; m < case_.models.size(); ++m) {
       const auto& [name, heated] = case_.models[m];
       Json& growth = j["growth"][name];
@@ -188,6 +192,7 @@ class BearingHeatRun {
 
   BearingHeatCase& case_;
   const HeatRunOptions& options_;
+  HeatGuards guards_;
   FieldTimes field_times_;
   std::optional<ResultsFolder> folder_;
   std::optional<Recorder> recorder_;

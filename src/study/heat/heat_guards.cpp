@@ -1,0 +1,45 @@
+#include "study/heat/heat_guards.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "analysis/watch/heated_parts.h"
+#include "thermal/thermal_parameters.h"
+
+namespace rotordrop {
+
+HeatGuards::HeatGuards(const BearingHeatCase& c) : bearing_(c.bearing) {
+  const MachineParameters& p = c.drop.parameters;
+  const TouchdownParameters& bearing = touchdown_of(p, c.bearing);
+  const auto mark_of = [kinds = chosen_kinds(p.thermal)](const std::string& model) {
+    const auto kind = std::find_if(kinds.begin(), kinds.end(), [&](const auto* one) { return one->name == model; });
+    return kind == kinds.end() ? model : (*kind)->mark;
+  };
+  for (std::size_t m = 0; m < c.models.size(); ++m) {
+    const auto& names = c.models[m].heated->names();
+    for (std::size_t i = 0; i < names.size(); ++i) {
+      std::string part = names[i];
+      std::replace(part.begin(), part.end(), '_', ' ');
+      const MaterialParameters* material = material_of_part(p, bearing, part);
+      if (!material || !material->temperature_limit) continue;
+      guards_.push_back({m, i, fmt::format("{} ({})", part, mark_of(c.models[m].name)), *material->temperature_limit});
+    }
+  }
+}
+
+void HeatGuards::look(std::size_t model, double time, std::span<const double> temperatures) {
+  for (Guard& guard : guards_)
+    if (guard.model == model) guard.seen.follow(time, temperatures[guard.name], guard.limit);
+}
+
+std::vector<RunWarning> HeatGuards::found() const {
+  std::vector<RunWarning> list;
+  for (const Guard& guard : guards_)
+    if (const Exceedance& seen = guard.seen; seen.count > 0.)
+      list.push_back({find_warning_kind("temperature"), bearing_, guard.part, static_cast<long>(seen.count), seen.worst,
+                      guard.limit, seen.time, seen.first_time, seen.duration});
+  return list;
+}
+
+}  // namespace rotordrop
