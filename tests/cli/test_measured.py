@@ -140,7 +140,7 @@ class Measured(ProgramTest):
         for number in found[:4]:
             self.assertAlmostEqual(number, 0.8e-6, delta=1e-18)
         self.assertAlmostEqual(found[4], 0.9e-6, delta=1e-18)
-        for deviation, says in (('"0.8 N"', "0.8 N is a force; measured.deviation needs a length"), ("0", "measured.deviation = 0 is out of range: it must be > 0"), ('"-1 um"', "must be > 0"), ("true", "it must be a number or a quantity")):
+        for deviation, says in (('"0.8 N"', "0.8 N is a force; measured.deviation needs a length"), ("0", "measured.deviation = 0 is out of range: it must be > 0"), ("inf", "measured.deviation = inf is out of range"), ("nan", "out of range"), ('"-1 um"', "must be > 0"), ("true", "it must be a number or a quantity")):
             self.write("m.toml", self.tables.replace("NAME", "measured").replace(f"deviation = {1e6 * NOISE}", f"deviation = {deviation}"))
             done = self.call("compare", "truth", "--measured", "m.toml", "-o", "m.json", "--force")
             self.assertEqual(done.returncode, 2, done.stdout)

@@ -149,7 +149,7 @@ double deviation_in_si(const std::string& given, const UnitScale& value, const s
     if (!read) throw InputError(where, read.error + ".", read.advice);
     si = read.value;
   }
-  if (si > 0.) return si;
+  if (si > 0. && std::isfinite(si)) return si;
   throw InputError(
       where, fmt::format("measured.deviation = {} is out of range: it must be > 0.", given),
       fmt::format("It is the standard deviation of the noise, a number in the values' unit ({}) or such as "
