@@ -58,8 +58,7 @@ def number(given, unit, what):
         return float(given)
     match = re.fullmatch(r"\s*([-+]?[\d.]+(?:[eE][-+]?\d+)?)\s*(.*?)\s*", given) if isinstance(given, str) else None
     if not match or (match[2] or unit) not in DIMENSIONS[unit]:
-        raise Fault(f"{what} = {given!r}: write a number in SI, or one of the units {', '.join(sorted(DIMENSIONS[unit]))}. "
-                    "The program knows more: parameters.toml beside the results of a run has numbers.")
+        raise Fault(f"{what} = {given!r}: write a number in SI, or one of the units {', '.join(sorted(DIMENSIONS[unit]))}.")
     return float(match[1]) * UNITS[match[2] or unit]
 
 
@@ -218,7 +217,7 @@ def to_ross(case, target):
     parameters = tomllib.loads(case.read_text())
     geometry = shaft_of(case, parameters)
     notes = []
-    if parameters["rotor"].get("unbalance") or parameters["rotor"].get("balance_grade", "none") not in ("none", ""):
+    if parameters["rotor"].get("unbalance") or parameters["rotor"].get("balance_grade"):
         notes.append("the unbalance is left out: ROSS takes it with its analyses")
     x = [number(node["x"], "m", f"x of node {node['id']}") for node in geometry["nodes"]]
     sections, used = {"parameters": {}}, set()
