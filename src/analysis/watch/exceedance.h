@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "analysis/watch/followed.h"
+#include "model/run_warning.h"
 
 namespace rotordrop {
 
@@ -14,6 +15,11 @@ struct Exceedance {
   double time = never;                                      ///< of it [s]
   double first_time = never;                                ///< above [s]
   double duration = 0;                                      ///< between instants that are both above [s]
+  /// Of what was watched, with its limit.
+  [[nodiscard]] RunWarning as_warning(const WarningKind* kind, const std::string& place, const std::string& part,
+                                      double limit) const {
+    return {kind, place, part, static_cast<long>(count), worst, limit, time, first_time, duration};
+  }
   /// @returns whether it is above now
   bool follow(double t, double value, double limit) {
     const bool is_above = value > limit;

@@ -219,15 +219,8 @@ void RunGuards::unpack(const PackedValues& from) {
 std::vector<RunWarning> RunGuards::found(const DropScalars& scalars) const {
   std::vector<RunWarning> list;
   for (const Guard& guard : guards_) {
-    RunWarning w{guard.kind,
-                 guard.place,
-                 guard.part,
-                 static_cast<long>(guard.seen.count),
-                 guard.sign * guard.seen.worst,
-                 guard.limit,
-                 guard.seen.time,
-                 guard.seen.first_time,
-                 guard.seen.duration};
+    RunWarning w = guard.seen.as_warning(guard.kind, guard.place, guard.part, guard.limit);
+    w.worst *= guard.sign;
     if (guard.kind->code == std::string_view("ball-load"))  // peaks between steps by a parabola, as in the summary
       for (std::size_t i = 0; i < scalars.size(); ++i)
         if (const auto& peak = scalars.of(i).row_pressure[std::stoul(guard.part.substr(4)) - 1];

@@ -36,9 +36,8 @@ void HeatGuards::look(std::size_t model, double time, std::span<const double> te
 std::vector<RunWarning> HeatGuards::found() const {
   std::vector<RunWarning> list;
   for (const Guard& guard : guards_)
-    if (const Exceedance& seen = guard.seen; seen.count > 0.)
-      list.push_back({find_warning_kind("temperature"), bearing_, guard.part, static_cast<long>(seen.count), seen.worst,
-                      guard.limit, seen.time, seen.first_time, seen.duration});
+    if (guard.seen.count > 0.)
+      list.push_back(guard.seen.as_warning(find_warning_kind("temperature"), bearing_, guard.part, guard.limit));
   return list;
 }
 
