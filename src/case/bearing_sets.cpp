@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <filesystem>
@@ -130,12 +131,17 @@ void look_at_given_values(const std::string& name, const Node& bearing, std::vec
   const int count = count_of(bearing, "count");
   if (!catalogue || !catalogue->is_text() || count < 2) return;
   const std::string& entry = catalogue->text();
+  const auto is_given = [&](const OfSet& of) {
+    const Node* value = bearing.find(of.key);
+    return value && !is_from_catalogue(*value, entry);
+  };
+  if (std::none_of(of_all.begin(), of_all.end(), is_given)) return;
   const auto file = entry_file(bearing, entry);
   if (file.empty()) return;
   const Node one = read_toml(file);
   for (const OfSet& of : of_all) {
     const Node *given = bearing.find(of.key), *of_entry = one.find(of.key);
-    if (!given || !of_entry || is_from_catalogue(*given, entry)) continue;
+    if (!is_given(of) || !of_entry) continue;
     const auto value = in_si(*given, of), of_one = in_si(*of_entry, of);
     if (!value || !of_one || std::fabs(*value - *of_one) > most_apart * *of_one) continue;
     warnings.push_back(
