@@ -332,7 +332,10 @@ std::string left_out_text(const Measured& m, double end) {
                      m.keys.file, end, n, n + m.data.times.size());
 }
 
-bool is_axis_of_times(const std::string& series) { return series.ends_with("/time"); }
+bool is_axis_of_times(const std::string& series) {
+  constexpr std::ptrdiff_t deepest = 2;  // "/GROUP/time"; what parts of others call so lies deeper
+  return series.ends_with("/time") && std::count(series.begin(), series.end(), '/') <= deepest;
+}
 
 bool is_same_unit(const std::string& a, const std::string& b) {
   if (a == b) return true;
