@@ -232,12 +232,17 @@ class Preload(ProgramTest):
     @unittest.skipUnless(HAS_ROOM, "built without finite elements")
     def test_modes_that_answer_heat_too_coarsely_are_refused_with_what_helps(self):
         beyond = [*NO_MAPS, "--set", "preload.model=fe", "--set", "thermal.fe.shaft=beyond", "--set", "preload.critical_values=false"]
-        # They leave 0.5 %, a tenth more or less by the arithmetic of the processor.
-        done = self.call("preload", "neisi2019-preload.toml", "--bearing", "TB2", "-o", "out", *beyond, "--set", "thermal.fe.response_tolerance=0.003")
+        done = self.call("preload", "neisi2019-preload.toml", "--bearing", "TB2", "-o", "out", *beyond, "--set", "thermal.fe.modes=30",
+                         "--set", "thermal.fe.response_tolerance=0.001")
         self.assertEqual(done.returncode, 2)
-        self.assertIn("allow a larger error.", done.stderr)
+        self.assertIn("raise it (200 if not given) or allow a larger error.", done.stderr)
         self.assertNotIn("windowed", done.stderr)  # the coupling of drops
-        self.assertEqual(self.preload("neisi2019-preload.toml", *beyond, "--set", "thermal.fe.response_tolerance=0.01")["running"]["verdict"], "stable")
+
+    @unittest.skipUnless(HAS_ROOM, "built without finite elements")
+    def test_modes_answer_heat_as_finely_as_can_be_asked(self):
+        """Slow modes keep their digits beside fast ones, or they would leave 0.8 %."""
+        beyond = [*NO_MAPS, "--set", "preload.model=fe", "--set", "thermal.fe.shaft=beyond", "--set", "preload.critical_values=false"]
+        self.assertEqual(self.preload("neisi2019-preload.toml", *beyond, "--set", "thermal.fe.response_tolerance=1e-4")["running"]["verdict"], "stable")
 
     def test_the_screen_may_have_json(self):
         done = self.succeed("preload", "neisi2019-preload.toml", "--bearing", "TB1", "-o", "out", "--json", *NO_MAPS)

@@ -75,8 +75,8 @@ values = ["{WATTS} W"]
             expected = math.cosh(m * (0.3 - 0.03 * i)) / math.cosh(m * 0.3)
             self.assertLess(abs(rise[f"s{i}"] / rise["right"] / expected - 1), biot / 4, f"at {30 * i} mm")
         energy = summary["energy"]["fe"]
-        # Modes are stepped by sums of exponentials: roundoff of 4e5 s of them.
-        self.assertLess(abs(energy["residual"]), (1e-9 if coupling == "windowed" else 1e-8) * energy["input"])
+        # Roundoff of solves, of 4e5 s of modes, and of rates that span nine decades by their roots.
+        self.assertLess(abs(energy["residual"]), 1e-9 * energy["input"])
         self.assertGreater(energy["lost"], 0.9 * energy["input"])
 
     def test_a_long_shaft_is_a_fin(self):

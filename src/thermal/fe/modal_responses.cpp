@@ -91,11 +91,22 @@ bool add_worst(const ModalResponses& responses, const ResponseErrors& errors, Co
 
 }  // namespace
 
+EigenModes modes_of_factor(const MatrixXd& B) {
+  const Eigen::BDCSVD<MatrixXd> svd(B, Eigen::ComputeThinV);
+  return {svd.singularValues().reverse().cwiseAbs2(), svd.matrixV().rowwise().reverse()};
+}
+
+EigenModes modes_of(const MatrixXd& K) {
+  const Eigen::LLT<MatrixXd, Eigen::Upper> factor(K);
+  if (factor.info() == Eigen::Success) return modes_of_factor(factor.matrixU());
+  const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(K);
+  return {eigen.eigenvalues().cwiseMax(0.), eigen.eigenvectors()};
+}
+
 ModalHeat ModalHeat::projected(const MatrixXd& columns, MatrixXd& modes) const {
-  const MatrixXd K = columns.transpose() * rate.asDiagonal() * columns;
-  const Eigen::SelfAdjointEigenSolver<MatrixXd> own(0.5 * (K + K.transpose()));
-  modes = columns * own.eigenvectors();
-  return {own.eigenvalues().cwiseMax(0.), modes.transpose() * in, modes.transpose() * out, VectorXd::Zero(in.cols())};
+  const EigenModes own = modes_of_factor(rate.cwiseSqrt().asDiagonal() * columns);
+  modes = columns * own.vectors;
+  return {own.rate, modes.transpose() * in, modes.transpose() * out, VectorXd::Zero(in.cols())};
 }
 
 ModalHeat ModalHeat::truncated(Index n, const ModalHeat& reference, double s) const {

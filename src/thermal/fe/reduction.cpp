@@ -183,9 +183,9 @@ Space few_modes(const HeatOperator& problem, const ReductionSettings& settings) 
       for (Index i = 0; i < loaded->cols(); ++i) basis.add(answers.to(loaded->col(i)));
   }
   const MatrixXd V = basis.matrix();
-  const Eigen::SelfAdjointEigenSolver<MatrixXd> all(symmetric(V.transpose() * times(problem.conductance(), V)));
-  const MatrixXd modes = V * all.eigenvectors();
-  const ModalHeat wide{all.eigenvalues().cwiseMax(0.), modes.transpose() * loads.ports, modes.transpose() * loads.means,
+  const EigenModes all = modes_of(symmetric(V.transpose() * times(problem.conductance(), V)));
+  const MatrixXd modes = V * all.vectors;
+  const ModalHeat wide{all.rate, modes.transpose() * loads.ports, modes.transpose() * loads.means,
                        VectorXd::Zero(loads.ports.cols())};
   PortTimes from;
   for (const auto& port : problem.problem().ports) from.push_back(std::max(settings.shortest_time, port.steady_for));
