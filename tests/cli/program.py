@@ -16,6 +16,7 @@ PARAMS = SOURCE / "params"
 PROGRAM = str(pathlib.Path(os.environ.get("ROTORDROP_PROGRAM", SOURCE / "build/release/rotordrop")).resolve())
 BUILD = pathlib.Path(PROGRAM).parent
 HAS_MESH_ROOM = (BUILD / "rotordrop_mesh.so").is_file()
+HAS_SURROGATES = (BUILD / "rotordrop_surrogate.so").is_file()
 CACHE = (BUILD / "CMakeCache.txt").read_text() if (BUILD / "CMakeCache.txt").is_file() else ""  # how the program was built
 IS_SANITIZED = "ROTORDROP_SANITIZE:BOOL=ON" in CACHE
 

@@ -11,7 +11,7 @@ import sys
 import unittest
 
 sys.path.insert(0, __file__.rpartition("/")[0])
-from program import BUILD, PROGRAM, ProgramTest, page_data  # noqa: E402
+from program import HAS_SURROGATES, PROGRAM, ProgramTest, page_data  # noqa: E402
 
 STUDY = """
 case = "reference.toml"
@@ -29,7 +29,7 @@ folds = 20
 ARGUMENTS = ("study", "study.toml", "-o", "out", "--set", "run.end_time=8 ms")
 
 
-@unittest.skipUnless((BUILD / "rotordrop_surrogate.so").is_file(), "built without OpenTURNS")
+@unittest.skipUnless(HAS_SURROGATES, "built without OpenTURNS")
 class Surrogates(ProgramTest):
     def on_a_terminal_until(self, pattern, sign):
         """Sends a signal when the moving line has matched; the exit code and all that was shown."""
