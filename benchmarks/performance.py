@@ -121,13 +121,13 @@ def by_level(program, pattern, levels):
 
 def lanes(program):
     """Milliseconds of a drop in lanes and of a single one, and how many times as many drops, by instruction set: the median of the benchmark's turns."""
-    return {level: runs[0] for level, runs in by_level(program, "^lanes", ("v4", "v3", "base")).items()}
+    return {level: runs[0] for level, runs in by_level(program, "^lanes", ("v4-newton", "v4", "v3", "base")).items()}
 
 
 def drops_with_more(program):
     """Counters of drop_with/KIND by (kind, instruction set): the benchmark's turns with the plain drop."""
     return {(run["run_name"].split("/")[1], level): run
-            for level, runs in by_level(program, "^drop_with", ("v4", "v3")).items() for run in runs if "times" in run}
+            for level, runs in by_level(program, "^drop_with", ("v4-newton", "v4", "v3")).items() for run in runs if "times" in run}
 
 
 def drop(program, case, folder, settings):

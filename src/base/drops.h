@@ -9,6 +9,9 @@
 #include "base/pair_lines.h"
 #include "base/real.h"
 #include "base/sine_cosine.h"
+#if defined(ROTORDROP_ROOTS_BY_NEWTON)
+#include "base/newton_root.h"
+#endif
 
 // A number for each of eight drops that run in lanes, held in vectors of the width that the source is compiled for. What runs in lanes is compiled once
 // for each instruction set (cmake/LaneEngine.cmake); the width is part of the type, so that no two of them share a function.
@@ -163,6 +166,20 @@ struct Drops {
 #endif
     return r;
   }
+#if defined(ROTORDROP_ROOTS_BY_NEWTON)
+  ROTORDROP_LANE_WORD RootOf<Drops> root_and_inverse(const Drops& a) {
+    RootOf<Drops> r;
+    for (int i = 0; i < n; ++i) root_by_newton(a.part[i], r.root.part[i], r.inverse.part[i]);
+    return r;
+  }
+  ROTORDROP_LANE_WORD Drops inverse_root(const Drops& a) { return root_and_inverse(a).inverse; }
+#else
+  ROTORDROP_LANE_WORD RootOf<Drops> root_and_inverse(const Drops& a) {
+    const Drops root = sqrt(a);
+    return {root, root * (1. / a)};
+  }
+  ROTORDROP_LANE_WORD Drops inverse_root(const Drops& a) { return 1. / sqrt(a); }
+#endif
   ROTORDROP_LANE_WORD Drops exp(const Drops& a) {
     Drops r;
     for (int i = 0; i < n; ++i) r.part[i] = exp_of(a.part[i]);

@@ -14,6 +14,19 @@ using std::pow;
 using std::sqrt;
 using std::tanh;
 
+/// 1/sqrt(x), x > 0
+[[gnu::always_inline]] inline double inverse_root(double x) { return 1. / sqrt(x); }
+/// A root and its inverse.
+template <class Real>
+struct RootOf {
+  Real root, inverse;
+};
+/// @param x > 0. The quotient does not wait for the root.
+[[gnu::always_inline]] inline RootOf<double> root_and_inverse(double x) {
+  const double root = sqrt(x);
+  return {root, root * (1. / x)};
+}
+
 /// What goes with a scalar.
 template <class Real>
 struct RealTraits;

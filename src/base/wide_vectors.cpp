@@ -8,24 +8,32 @@
 namespace rotordrop {
 namespace {
 
-constexpr VectorLevel levels[] = {VectorLevel::base, VectorLevel::v3, VectorLevel::v4};
+constexpr VectorLevel levels[] = {VectorLevel::base, VectorLevel::v3, VectorLevel::v4, VectorLevel::v4_newton};
 
 bool machine_has(VectorLevel level) {
 #if defined(__x86_64__) && defined(__clang__)  // clang 14 knows features only, not levels
   __builtin_cpu_init();
   const bool has_v3 = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") &&
                       __builtin_cpu_supports("bmi") && __builtin_cpu_supports("bmi2");
-  if (level == VectorLevel::v4)
+  if (level >= VectorLevel::v4)
     return has_v3 && __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512bw") &&
            __builtin_cpu_supports("avx512cd") && __builtin_cpu_supports("avx512dq") &&
            __builtin_cpu_supports("avx512vl");
   if (level == VectorLevel::v3) return has_v3;
 #elif defined(__x86_64__)
   __builtin_cpu_init();
-  if (level == VectorLevel::v4) return __builtin_cpu_supports("x86-64-v4");
+  if (level >= VectorLevel::v4) return __builtin_cpu_supports("x86-64-v4");
   if (level == VectorLevel::v3) return __builtin_cpu_supports("x86-64-v3");
 #endif
   return level == VectorLevel::base;
+}
+
+bool has_slow_roots() {
+#if defined(__x86_64__)
+  return __builtin_cpu_is("intel");
+#else
+  return false;
+#endif
 }
 
 std::optional<VectorLevel> level_called(const std::string& name) {
@@ -37,7 +45,7 @@ std::optional<VectorLevel> level_called(const std::string& name) {
 VectorLevel chosen() {
   if (const char* asked = std::getenv("ROTORDROP_ISA"))
     if (const auto level = level_called(asked); level && machine_has(*level)) return *level;
-  if (machine_has(VectorLevel::v4)) return VectorLevel::v4;
+  if (machine_has(VectorLevel::v4)) return has_slow_roots() ? VectorLevel::v4_newton : VectorLevel::v4;
   return machine_has(VectorLevel::v3) ? VectorLevel::v3 : VectorLevel::base;
 }
 
@@ -46,7 +54,17 @@ VectorLevel chosen() {
 const VectorLevel vector_level = chosen();
 
 std::string name_of(VectorLevel level) {
-  return level == VectorLevel::v4 ? "v4" : level == VectorLevel::v3 ? "v3" : "base";
+  switch (level) {
+    case VectorLevel::v4_newton:
+      return "v4-newton";
+    case VectorLevel::v4:
+      return "v4";
+    case VectorLevel::v3:
+      return "v3";
+    case VectorLevel::base:
+      break;
+  }
+  return "base";
 }
 
 void check_vector_level() {
@@ -55,7 +73,7 @@ void check_vector_level() {
   const auto level = level_called(asked);
   if (!level)
     throw InputError({"ROTORDROP_ISA", 0, 0}, "\"" + std::string(asked) + "\" is no instruction set.",
-                     "Allowed: base, v3, v4.");
+                     "Allowed: base, v3, v4, v4-newton.");
   if (!machine_has(*level))
     throw InputError({"ROTORDROP_ISA", 0, 0}, "this machine does not have the instruction set " + name_of(*level) + ".",
                      "It has " + name_of(chosen()) + "; leave ROTORDROP_ISA out to have the best there is.");

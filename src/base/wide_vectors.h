@@ -9,12 +9,14 @@
 
 namespace rotordrop {
 
-enum class VectorLevel { base, v3, v4 };
+/// v4_newton is v4 with roots of the balls' geometry by Newton's method from an estimate, for processors that take long for roots and quotients of eight
+/// numbers: Intel's 25 and 17 cycles (Granite Rapids), where AMD's Zen 5 has two roots and a quotient every 20.
+enum class VectorLevel { base, v3, v4, v4_newton };
 
-/// Level of this process: the highest that the machine has, or that of the environment's ROTORDROP_ISA (base | v3 | v4).
+/// Level of this process: the one that is fastest on this machine, or that of the environment's ROTORDROP_ISA (base | v3 | v4 | v4-newton).
 extern const VectorLevel vector_level;
 
-/// "base", "v3" or "v4".
+/// "base", "v3", "v4" or "v4-newton".
 std::string name_of(VectorLevel level);
 
 /// @throws InputError for a ROTORDROP_ISA that is no level, or one that this machine does not have
@@ -100,7 +102,7 @@ struct Wide<kernel> {
 
   Result operator()(Arguments... a) const {
 #if defined(__x86_64__)
-    if (vector_level == VectorLevel::v4) return v4(a...);
+    if (vector_level >= VectorLevel::v4) return v4(a...);
     if (vector_level == VectorLevel::v3) return v3(a...);
 #endif
     return base(a...);

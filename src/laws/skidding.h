@@ -44,7 +44,7 @@ template <class Real>
   const Real axial = load * sine, radial = load * cosine + centrifugal_force;
   const Real square = axial * axial + radial * radial;
   constexpr double nothing = 1e-200;  // [N^2], added instead of asked for, so that loops over balls become vectors
-  const Real inverse = 1. / sqrt(square + nothing);
+  const Real inverse = inverse_root(square + nothing);
   return {square * inverse, axial * inverse, inverse};
 }
 

@@ -281,7 +281,7 @@ class Check(ProgramTest):
                 self.assertAlmostEqual(other["bearings"][name][key], plain["bearings"][name][key], delta=1e-6 * plain["bearings"][name][key])
 
     def test_the_version_names_its_libraries(self):
-        self.assertRegex(self.succeed("--version").stdout, r"rotordrop \d+\.\d+\.\d+ \(revision \w+\+?; SUNDIALS [\d.]+, HDF5 [\d.]+; instruction set (base|v3|v4)\)")
+        self.assertRegex(self.succeed("--version").stdout, r"rotordrop \d+\.\d+\.\d+ \(revision \w+\+?; SUNDIALS [\d.]+, HDF5 [\d.]+; instruction set (base|v3|v4|v4-newton)\)")
 
     def test_help_names_every_command(self):
         text = self.succeed("--help").stdout

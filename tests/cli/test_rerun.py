@@ -70,7 +70,7 @@ class Rerun(ProgramTest):
         self.assertAlmostEqual(float(said[1]), 1e3 * time_there, delta=1e-3)
 
     def test_the_instruction_set_is_recorded(self):
-        now = re.search(r"instruction set (\w+)", self.succeed("--version").stdout)[1]
+        now = re.search(r"instruction set ([\w-]+)", self.succeed("--version").stdout)[1]
         self.succeed("run", self.case(""), "-o", "out")
         with h5py.File(self.folder / "out/results.h5", "r+") as file:
             self.assertEqual(file.attrs["instruction_set"], now)

@@ -32,5 +32,6 @@ std::unique_ptr<ScalarsInLanes> make_scalars_in_lanes(const std::vector<BearingC
 std::unique_ptr<ScalarsInLanes> scalars_in_lanes_base(const std::vector<BearingColumns>& columns);
 std::unique_ptr<ScalarsInLanes> scalars_in_lanes_v3(const std::vector<BearingColumns>& columns);
 std::unique_ptr<ScalarsInLanes> scalars_in_lanes_v4(const std::vector<BearingColumns>& columns);
+std::unique_ptr<ScalarsInLanes> scalars_in_lanes_v4_newton(const std::vector<BearingColumns>& columns);
 
 }  // namespace rotordrop

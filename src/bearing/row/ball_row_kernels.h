@@ -37,6 +37,7 @@ struct RowKernels {
 const RowKernels& row_kernels_base();
 const RowKernels& row_kernels_v3();
 const RowKernels& row_kernels_v4();
+const RowKernels& row_kernels_v4_newton();
 /// Those of this process.
 const RowKernels& row_kernels();
 

@@ -137,10 +137,9 @@ template <GrooveMotion motion, bool is_bent, class Real>
     b.cos_phi = select(Br < 0., Real(-1.), Real(1.));
     b.sin_phi = 0.;
   } else {
-    const Real squared = Br * Br + Bx * Bx;
-    distance = sqrt(squared);
+    const auto [root, inverse] = root_and_inverse(Br * Br + Bx * Bx);
+    distance = root;
     // eq. (4)
-    const Real inverse = distance * (1. / squared);
     b.cos_phi = Br * inverse;
     b.sin_phi = Bx * inverse;
   }

@@ -41,6 +41,7 @@ struct InertialKernels {
 const InertialKernels& inertial_kernels_base();
 const InertialKernels& inertial_kernels_v3();
 const InertialKernels& inertial_kernels_v4();
+const InertialKernels& inertial_kernels_v4_newton();
 /// Those of this process.
 const InertialKernels& inertial_kernels();
 

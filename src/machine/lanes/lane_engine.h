@@ -11,5 +11,6 @@ namespace rotordrop {
 std::unique_ptr<LaneSystem> make_lanes_base(std::span<const Machine* const> machines);
 std::unique_ptr<LaneSystem> make_lanes_v3(std::span<const Machine* const> machines);
 std::unique_ptr<LaneSystem> make_lanes_v4(std::span<const Machine* const> machines);
+std::unique_ptr<LaneSystem> make_lanes_v4_newton(std::span<const Machine* const> machines);
 
 }  // namespace rotordrop

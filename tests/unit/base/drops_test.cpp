@@ -47,6 +47,13 @@ TEST(Drops, HaveFunctionsGoodToAFewUnitsInTheLastPlace) {
         << y;
   EXPECT_LE(largest_error([](const Real& x) { return cbrt(x); }, [](double x) { return std::cbrt(x); }, magnitude), 3.);
   EXPECT_LE(largest_error([](const Real& x) { return sqrt(x); }, [](double x) { return std::sqrt(x); }, magnitude), 0.);
+  const auto inverse_of_library = [](double x) { return 1. / std::sqrt(x); };
+  EXPECT_LE(largest_error([](const Real& x) { return inverse_root(x); }, inverse_of_library, magnitude), 0.);
+  EXPECT_LE(largest_error([](const Real& x) { return root_and_inverse(x).root; },
+                          [](double x) { return std::sqrt(x); }, magnitude),
+            0.);
+  EXPECT_LE(largest_error([](const Real& x) { return root_and_inverse(x).inverse; }, inverse_of_library, magnitude),
+            3.);
   const auto any_sign = [](std::mt19937_64& r) { return even(r, -30., 30.); };
   EXPECT_LE(largest_error([](const Real& x) { return exp(x); }, [](double x) { return std::exp(x); }, any_sign), 2.);
   EXPECT_LE(largest_error([](const Real& x) { return tanh(x); }, [](double x) { return std::tanh(x); },
