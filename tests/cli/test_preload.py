@@ -230,6 +230,16 @@ class Preload(ProgramTest):
         self.assertIn('preload.model = "fe" cannot include', added.stderr)
 
     @unittest.skipUnless(HAS_ROOM, "built without finite elements")
+    def test_finite_elements_settle_when_the_circuit_does(self):
+        """Within an hour of six, the length of the last steps: rates of fast modes are no rates of temperatures."""
+        def settled(*options):
+            return self.preload("neisi2019-preload.toml", *NO_MAPS, "--set", "preload.critical_values=false", *options)["running"]["end"]["time"]
+
+        circuit = settled()
+        for tolerance in (0.005, 0.003, 0.001):
+            self.assertAlmostEqual(settled("--set", "preload.model=fe", "--set", f"thermal.fe.response_tolerance={tolerance}") / circuit, 1, delta=0.17)
+
+    @unittest.skipUnless(HAS_ROOM, "built without finite elements")
     def test_modes_that_answer_heat_too_coarsely_are_refused_with_what_helps(self):
         beyond = [*NO_MAPS, "--set", "preload.model=fe", "--set", "thermal.fe.shaft=beyond", "--set", "preload.critical_values=false"]
         done = self.call("preload", "neisi2019-preload.toml", "--bearing", "TB2", "-o", "out", *beyond, "--set", "thermal.fe.modes=30",

@@ -58,14 +58,21 @@ class Way {
   }
   bool is_over(double t, std::span<const double> y) {
     auto& end = course_;
+    const auto rates = rates_at(t, y);
+    end.is_settled = std::all_of(rates.begin(), rates.begin() + static_cast<std::ptrdiff_t>(loop_.size()),
+                                 [&](double r) { return std::fabs(r) < settings_.settled_rate; });
     end.time = t;
     end.y.assign(y.begin(), y.end());
     end.limit = limit(y);
-    std::vector<double> rates(y.size());
-    system_.rhs(t, y, rates);
-    end.is_settled = std::all_of(rates.begin(), rates.begin() + static_cast<std::ptrdiff_t>(loop_.size()),
-                                 [&](double r) { return std::fabs(r) < settings_.settled_rate; });
     return end.is_settled || end.limit != LimitMet::none;
+  }
+  /// Of the last step, on average: fast modes stand off their place by the integration's error, and their rate of the moment is that error times
+  /// thousands.
+  std::vector<double> rates_at(double t, std::span<const double> y) {
+    std::vector<double> rates(y.size());
+    if (t == 0.) system_.rhs(t, y, rates);
+    for (std::size_t i = 0; t > 0. && i < y.size(); ++i) rates[i] = (y[i] - course_.y[i]) / (t - course_.time);
+    return rates;
   }
   /// The instant within the last step at which a limit is met.
   void find_limit(const Integrator& integrator, double before) {
