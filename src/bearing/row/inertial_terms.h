@@ -70,8 +70,9 @@ struct BallForces {
     const InertialRowOf<Real>& row = of.constants;
     L_o = row.l_o + p.delta_o - at.added_o;
     const Real v_x = at.B_x - L_o * p.x, v_r = at.B_r - L_o * p.r, v_n = v_x * p.x + v_r * p.r,
-               v_t = v_x * p.r - v_r * p.x, square = v_x * v_x + v_r * v_r + 1e-18, L_i = sqrt(square);
-    by_L_i = L_i * (1. / square);  // does not wait for the root
+               v_t = v_x * p.r - v_r * p.x;
+    const auto [L_i, inverse] = root_and_inverse(v_x * v_x + v_r * v_r + 1e-18);
+    by_L_i = inverse;
     delta_i = L_i - row.l_i + at.added_i;
     i_x = v_x * by_L_i;
     i_r = v_r * by_L_i;
