@@ -66,12 +66,15 @@ class Way {
     end.limit = limit(y);
     return end.is_settled || end.limit != LimitMet::none;
   }
-  /// Of the last step, on average: fast modes stand off their place by the integration's error, and their rate of the moment is that error times
-  /// thousands.
-  std::vector<double> rates_at(double t, std::span<const double> y) {
+  /// Of the step that ends at t, on average: fast modes stand off their place by the integration's error, and their rate of the moment is that error
+  /// times thousands. It began where the course stands; at the start of all there is no step yet.
+  [[nodiscard]] std::vector<double> rates_at(double t, std::span<const double> y) {
     std::vector<double> rates(y.size());
-    if (t == 0.) system_.rhs(t, y, rates);
-    for (std::size_t i = 0; t > 0. && i < y.size(); ++i) rates[i] = (y[i] - course_.y[i]) / (t - course_.time);
+    if (t == 0.) {
+      system_.rhs(t, y, rates);
+      return rates;
+    }
+    for (std::size_t i = 0; i < y.size(); ++i) rates[i] = (y[i] - course_.y[i]) / (t - course_.time);
     return rates;
   }
   /// The instant within the last step at which a limit is met.
