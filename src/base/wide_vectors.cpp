@@ -1,6 +1,10 @@
 #include "base/wide_vectors.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <cstdlib>
+#include <iterator>
 #include <optional>
 
 #include "base/errors.h"
@@ -8,7 +12,7 @@
 namespace rotordrop {
 namespace {
 
-constexpr VectorLevel levels[] = {VectorLevel::base, VectorLevel::v3, VectorLevel::v4, VectorLevel::v4_newton};
+constexpr const char* names[] = {"base", "v3", "v4", "v4-newton"};  // in the order of VectorLevel
 
 bool machine_has(VectorLevel level) {
 #if defined(__x86_64__) && defined(__clang__)  // clang 14 knows features only, not levels
@@ -37,9 +41,9 @@ bool has_slow_roots() {
 }
 
 std::optional<VectorLevel> level_called(const std::string& name) {
-  for (const VectorLevel level : levels)
-    if (name_of(level) == name) return level;
-  return {};
+  const auto found = std::find(std::begin(names), std::end(names), name);
+  if (found == std::end(names)) return {};
+  return static_cast<VectorLevel>(found - std::begin(names));
 }
 
 VectorLevel chosen() {
@@ -53,19 +57,7 @@ VectorLevel chosen() {
 
 const VectorLevel vector_level = chosen();
 
-std::string name_of(VectorLevel level) {
-  switch (level) {
-    case VectorLevel::v4_newton:
-      return "v4-newton";
-    case VectorLevel::v4:
-      return "v4";
-    case VectorLevel::v3:
-      return "v3";
-    case VectorLevel::base:
-      break;
-  }
-  return "base";
-}
+std::string name_of(VectorLevel level) { return names[static_cast<std::size_t>(level)]; }
 
 void check_vector_level() {
   const char* asked = std::getenv("ROTORDROP_ISA");
@@ -73,7 +65,7 @@ void check_vector_level() {
   const auto level = level_called(asked);
   if (!level)
     throw InputError({"ROTORDROP_ISA", 0, 0}, "\"" + std::string(asked) + "\" is no instruction set.",
-                     "Allowed: base, v3, v4, v4-newton.");
+                     fmt::format("Allowed: {}.", fmt::join(names, ", ")));
   if (!machine_has(*level))
     throw InputError({"ROTORDROP_ISA", 0, 0}, "this machine does not have the instruction set " + name_of(*level) + ".",
                      "It has " + name_of(chosen()) + "; leave ROTORDROP_ISA out to have the best there is.");
