@@ -12,11 +12,11 @@ struct EigenModes {
   Eigen::VectorXd rate;     ///< eigenvalues, none below zero
   Eigen::MatrixXd vectors;  ///< as columns
 };
-/// Those of B^T B, by the singular values of B: the slowest rates err by roundoff times the root of slowest over fastest. By eigenvalues of the product
-/// they would by roundoff of the fastest, which is 1e-7 of the slowest where rates span nine decades, and energy would close no better.
+/// Those of B^T B, by the singular values of B: the slowest rate errs by a part of roundoff times the root of fastest over slowest. By eigenvalues of
+/// the product it would be fastest over slowest itself, 1e-7 where rates span nine decades, and energy would close no better.
 /// @param B [at least as many rows as columns]
 EigenModes modes_of_factor(const Eigen::MatrixXd& B);
-/// Those of a conductance K, by its factor where it has one: nothing that is insulated has.
+/// Those of a conductance K, by its factor if it has one; where nothing conducts to ambient it has none.
 EigenModes modes_of(const Eigen::MatrixXd& K);
 
 /// A linear heat problem in its own modes, orthonormal by capacity: dz_i/dt = - rate_i z_i + sum_p in(i, p) q_p; a mean is sum_i out(i, k) z_i.
