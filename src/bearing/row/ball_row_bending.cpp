@@ -2,6 +2,7 @@
 // tables: cos n (beta + cage) of every ball follows from cos n beta at cage angle zero.
 #include "bearing/row/ball_row_bending.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -15,8 +16,6 @@ namespace {
 struct Turned {
   double a, b, a_rate, b_rate, a_slope, b_slope;
 };
-
-constexpr std::size_t max_harmonics = 40;  // 2 to 41
 
 /// At some vectors of balls, from the first of them on. @param table  cos, sin of every harmonic at all balls: [2 n_harmonics][n]
 template <std::size_t vectors>
@@ -53,21 +52,20 @@ ROTORDROP_KERNEL void add_shapes(const Turned* turned, std::size_t n_harmonics, 
   if (j < n) add_shapes_at<1>(turned, n_harmonics, table, n, j, w);
 }
 
-/// cos and sin of n times the cage's angle, n = 2, 3, ...
-class Turn {
- public:
-  Turn(double cosine, double sine) : c_(cosine), s_(sine), cosine_(c_ * c_ - s_ * s_), sine_(2. * s_ * c_) {}
-  [[nodiscard]] double cosine() const { return cosine_; }
-  [[nodiscard]] double sine() const { return sine_; }
-  void next() {
-    const double c = cosine_ * c_ - sine_ * s_;
-    sine_ = sine_ * c_ + cosine_ * s_;
-    cosine_ = c;
+/// cos and sin of n times the cage's angle, n = 2, 3, ...: of n + m those of n turned by m times the angle, for twice as many n each time.
+void turn(double cosine, double sine, std::size_t n_harmonics, CageTurns& t) {
+  const auto turned = [&](std::size_t to, double c_n, double s_n, double c_m, double s_m) {
+    t.cosine[to] = c_n * c_m - s_n * s_m;
+    t.sine[to] = s_n * c_m + c_n * s_m;
+  };
+  turned(0, cosine, sine, cosine, sine);
+  turned(1, t.cosine[0], t.sine[0], cosine, sine);
+  for (std::size_t m = 2; m < n_harmonics; m *= 2) {
+    const double c_m = t.cosine[m - 2], s_m = t.sine[m - 2];
+    const std::size_t n_more = std::min(m, n_harmonics - m);
+    for (std::size_t k = 0; k < n_more; ++k) turned(m + k, t.cosine[k], t.sine[k], c_m, s_m);
   }
-
- private:
-  double c_, s_, cosine_, sine_;
-};
+}
 
 }  // namespace
 
@@ -84,11 +82,11 @@ void BallRow::tabulate_shapes(const std::vector<double>& azimuth) {
 }
 
 void BallRow::widen(const BallRowInput& in, Widening& w) const {
-  std::array<Turned, max_harmonics> turned;
-  Turn turn(in.cage_cosine, in.cage_sine);
+  std::array<Turned, max_ball_harmonics> turned;
   const std::size_t n_harmonics = in.shape.size() / 2;
-  for (std::size_t k = 0; k < n_harmonics; ++k, turn.next()) {
-    const double C = turn.cosine(), S = turn.sine();
+  turn(in.cage_cosine, in.cage_sine, n_harmonics, w.turns);
+  for (std::size_t k = 0; k < n_harmonics; ++k) {
+    const double C = w.turns.cosine[k], S = w.turns.sine[k];
     const double *a = &in.shape[2 * k], *rate = &in.shape_rate[2 * k];
     const double n = 2. + static_cast<double>(k), a_n = a[0] * C + a[1] * S, b_n = a[1] * C - a[0] * S;
     turned[k] = {a_n, b_n, rate[0] * C + rate[1] * S, rate[1] * C - rate[0] * S, n * b_n, -n * a_n};
@@ -98,14 +96,12 @@ void BallRow::widen(const BallRowInput& in, Widening& w) const {
 
 // Balls press the inner ring inwards.
 void BallRow::press_shapes(const BallRowInput& in, Widening& w) const {
-  std::array<double, 2 * max_harmonics> sums;
-  const std::size_t n_harmonics = in.shape_force.size() / 2;
+  std::array<double, 2 * max_ball_harmonics> sums;
   forces_on_shapes(w.force.data(), shapes_by_ball_.data(), n_padded_, shapes_by_ball_.size() / n_padded_, sums.data());
-  Turn turn(in.cage_cosine, in.cage_sine);
-  for (std::size_t k = 0; k < n_harmonics; ++k, turn.next()) {
-    const double a = sums[2 * k], b = sums[2 * k + 1];
-    in.shape_force[2 * k] -= a * turn.cosine() - b * turn.sine();
-    in.shape_force[2 * k + 1] -= a * turn.sine() + b * turn.cosine();
+  for (std::size_t k = 0; 2 * k < in.shape_force.size(); ++k) {
+    const double a = sums[2 * k], b = sums[2 * k + 1], C = w.turns.cosine[k], S = w.turns.sine[k];
+    in.shape_force[2 * k] -= a * C - b * S;
+    in.shape_force[2 * k + 1] -= a * S + b * C;
   }
 }
 
