@@ -53,7 +53,9 @@ class Preload(ProgramTest):
         self.assertAlmostEqual(running["end"]["state"]["preload"], stable["preload"], delta=1)
         self.assertGreater(running["critical"]["speed"]["value"], running["speed"])
         file = self.file()
-        self.assertAlmostEqual(file["/TB2/running/time"][-1], running["end"]["time"], places=6)
+        before, *last_step = file["/TB2/running/time"][-3:]
+        self.assertGreater(running["end"]["time"], (before + last_step[0]) / 2)
+        self.assertLess(running["end"]["time"], sum(last_step) / 2)
         for dataset in ("/TB2/running/preload", "/TB2/running/temperature/TB2/inner_ring", "/TB2/maps/growth/preload", "/TB2/operating_points/preload"):
             self.assertIn("units", file[dataset].attrs, dataset)
         ledger = [file[f"/TB2/running/heat_{name}"][-1] for name in ("made", "lost", "stored")]
@@ -231,13 +233,13 @@ class Preload(ProgramTest):
 
     @unittest.skipUnless(HAS_ROOM, "built without finite elements")
     def test_finite_elements_settle_when_the_circuit_does(self):
-        """Within an hour of six, the length of the last steps: rates of fast modes are no rates of temperatures."""
+        """Within 2 %, by which lumps and sections may differ in the heat that they store. Rates of fast modes are no rates of temperatures."""
         def settled(*options):
             return self.preload("neisi2019-preload.toml", *NO_MAPS, "--set", "preload.critical_values=false", *options)["running"]["end"]["time"]
 
         circuit = settled()
         for tolerance in (0.005, 0.003, 0.001):
-            self.assertAlmostEqual(settled("--set", "preload.model=fe", "--set", f"thermal.fe.response_tolerance={tolerance}") / circuit, 1, delta=0.17)
+            self.assertAlmostEqual(settled("--set", "preload.model=fe", "--set", f"thermal.fe.response_tolerance={tolerance}") / circuit, 1, delta=0.02)
 
     @unittest.skipUnless(HAS_ROOM, "built without finite elements")
     def test_modes_that_answer_heat_too_coarsely_are_refused_with_what_helps(self):

@@ -9,6 +9,12 @@
 namespace rotordrop {
 namespace {
 
+/// Rates of temperatures at an instant.
+struct Rates {
+  double at = 0;           // [s]
+  std::vector<double> of;  // [K/s] [nodes]
+};
+
 class Way {
  public:
   Way(const PreloadLoop& loop, const PreloadParameters& settings, const std::string& prefix)
@@ -58,24 +64,39 @@ class Way {
   }
   bool is_over(double t, std::span<const double> y) {
     auto& end = course_;
-    const auto rates = rates_at(t, y);
-    end.is_settled = std::all_of(rates.begin(), rates.begin() + static_cast<std::ptrdiff_t>(loop_.size()),
-                                 [&](double r) { return std::fabs(r) < settings_.settled_rate; });
-    end.time = t;
-    end.y.assign(y.begin(), y.end());
     end.limit = limit(y);
+    look_at_rates(t, y);
+    end.y.assign(y.begin(), y.end());
     return end.is_settled || end.limit != LimitMet::none;
   }
-  /// Of the step that ends at t, on average: fast modes stand off their place by the integration's error, and their rate of the moment is that error
-  /// times thousands. It began where the course stands; at the start of all there is no step yet.
-  [[nodiscard]] std::vector<double> rates_at(double t, std::span<const double> y) {
-    std::vector<double> rates(y.size());
-    if (t == 0.) {
-      system_.rhs(t, y, rates);
-      return rates;
+  /// Rates of a step are its means, and stand at its middle: fast modes stand off their place by the integration's error, and their rate of the moment is
+  /// that error times thousands. At the start of all there is no step yet.
+  void look_at_rates(double t, std::span<const double> y) {
+    const Rates last = std::move(rates_);
+    const bool is_first = t == 0.;
+    rates_ = {is_first ? 0. : 0.5 * (ended_at_ + t), std::vector<double>(y.size())};
+    if (is_first)
+      system_.rhs(t, y, rates_.of);
+    else
+      for (std::size_t i = 0; i < y.size(); ++i) rates_.of[i] = (y[i] - course_.y[i]) / (t - ended_at_);
+    ended_at_ = t;
+    rates_.of.resize(loop_.size());  // of temperatures
+    course_.is_settled = std::all_of(rates_.of.begin(), rates_.of.end(), [&](double r) { return is_slow(r); });
+    course_.time = course_.is_settled && !is_first ? settling_between(last, rates_) : t;
+  }
+  [[nodiscard]] bool is_slow(double rate) const { return std::fabs(rate) < settings_.settled_rate; }
+  /// The instant from which every rate is slow, between one at which some is not and one at which all are. A rate of one sign dies away exponentially,
+  /// one that changes its sign is taken as straight.
+  [[nodiscard]] double settling_between(const Rates& before, const Rates& after) const {
+    const double slow = settings_.settled_rate;
+    double part = 0.;
+    for (std::size_t i = 0; i < after.of.size(); ++i) {
+      if (is_slow(before.of[i])) continue;
+      const double from = std::fabs(before.of[i]), to = std::fabs(after.of[i]);
+      part = std::max(part, before.of[i] * after.of[i] > 0. ? std::log(from / slow) / std::log(from / to)
+                                                            : (from - slow) / (from + to));
     }
-    for (std::size_t i = 0; i < y.size(); ++i) rates[i] = (y[i] - course_.y[i]) / (t - course_.time);
-    return rates;
+    return before.at + part * (after.at - before.at);
   }
   /// The instant within the last step at which a limit is met.
   void find_limit(const Integrator& integrator, double before) {
@@ -119,6 +140,8 @@ class Way {
   PreloadLimits limits_;
   PreloadTransient system_;
   PreloadCourse course_;
+  Rates rates_;          // of the last step
+  double ended_at_ = 0;  // its end [s]
 };
 
 }  // namespace

@@ -331,6 +331,23 @@ TEST(PreloadVerdict, TheInstantOfALimitIsThatOfTheClosedForm) {
   EXPECT_NEAR(course.y[0] - ambient, 80., 1e-5) << "K";
 }
 
+TEST(PreloadVerdict, TheInstantOfSettlingIsThatOfTheClosedForm) {
+  const double H_0 = 20., L = 0.4, tau = R * C / (1. - L);
+  auto settings = preload_section().defaults();
+  const double when = tau * std::log(H_0 / (C * settings.settled_rate));
+  for (const double tolerance : {1e-7, 1e-8, 1e-9, 1e-10}) {
+    settings.tolerance = tolerance;
+    const auto course = follow_preload(*loop_of(one_node(R), H_0, L / (k * R), 0.), settings, "/");
+    ASSERT_TRUE(course.is_settled);
+    const auto& times = course.table.axis;
+    const double step = times.back() - times[times.size() - 2];
+    // The tolerance of some 300 K, by the rate at which what is left goes; and the mean rate of a step is the middle's times sinh(x)/x, x = step / (2 tau).
+    EXPECT_NEAR(course.time, when, tolerance * 300. / settings.settled_rate + step * step / (20. * tau))
+        << "s, by " << tolerance;
+    EXPECT_GE(times.back(), course.time);
+  }
+}
+
 TEST(NetworkPart, KeepsWhatHeatCanReachAndNothingElse) {
   using Net = ThermalNetworkData;
   Net net;
