@@ -47,6 +47,8 @@ inline constexpr std::array warning_kinds{
     WarningKind{"no-contact", "s", "runs that end before the rotor touches a touchdown bearing", false},
     WarningKind{"tilt", "rad",
                 "runs that end with the rotor tilted by more than 0.1 rad: its motion is that of small tilts", false},
+    WarningKind{"recorded-growth", "s",
+                "runs that go on after the growth that thermal.recorded holds, which then stays as it was", false},
     WarningKind{"window-error", "m", "windows that leave more than thermal.fe.window_tolerance", false},
     WarningKind{"response-error", "1", "reduced finite elements whose response to heat is off by more than 5 %", false},
     WarningKind{"coarse-rows", "1",

@@ -28,6 +28,14 @@ class Recorded(ProgramTest):
                 numpy.testing.assert_allclose(b[f"bearings/{name}/expansion"], a[f"bearings/{name}/expansion"], rtol=0, atol=1e-12)
             peaks = [run["bearings"][name]["peak_contact_force"] for run in (first, second)]
             self.assertAlmostEqual(*peaks, delta=2e-4 * peaks[0], msg="what error control leaves between runs whose steps differ")
+        self.assertNotIn("recorded-growth", [w["code"] for w in second["warnings"]])
+
+    def test_a_recording_that_ends_before_the_run_is_told(self):
+        self.run_case(self.case(""), output="first", run__end_time="0.2 ms")
+        second = self.run_case("drop.toml", output="second", run__end_time="0.3 ms", thermal__driver="recorded", thermal__recorded="first/results.h5")
+        told = [(w["worst"], w["limit"]) for w in second["warnings"] if w["code"] == "recorded-growth"]
+        self.assertEqual(len(told), 1, second["warnings"])
+        numpy.testing.assert_allclose(told[0], (3e-4, 2e-4), rtol=1e-12)
 
     def test_a_recording_of_other_bearings_is_refused(self):
         self.run_case(self.case(""), output="first", run__end_time="0.2 ms")

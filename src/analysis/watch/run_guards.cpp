@@ -13,6 +13,7 @@
 #include "base/errors.h"
 #include "bearing/statics/bearing_statics.h"
 #include "bearing/touchdown_bearing.h"
+#include "machine/heat/growth_history.h"
 
 namespace rotordrop {
 namespace {
@@ -271,6 +272,10 @@ std::vector<RunWarning> warnings_at_end(const EndedRun& run) {
         centrifugal > relevant_centrifugal_share)
       warn("centrifugal-force", name, "", centrifugal, relevant_centrifugal_share);
   }
+  constexpr double same_time = 1e-9;  // rows end where their run ended, but for rounding
+  if (const auto& recorded = run.machine.parts().prescribed_growth; recorded)
+    if (const auto last = recorded->last_time(); last && run.end_time > *last * (1. + same_time))
+      warn("recorded-growth", "", "", run.end_time, *last);
   if (run.windows && run.windows->beyond_tolerance > 0) {
     warn("window-error", "", "", run.windows->largest_error, run.windows->tolerance, run.windows->largest_error_time);
     list.back().count = run.windows->beyond_tolerance;

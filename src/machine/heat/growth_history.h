@@ -1,4 +1,5 @@
 #pragma once
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -20,6 +21,10 @@ class GrowthHistory {
   [[nodiscard]] std::vector<double> packed_tail() const;
   void unpack_tail(std::span<const double> values);
   [[nodiscard]] std::size_t packed_size() const { return 2 * (1 + growth_surfaces.size() * n_places_); }
+  /// The last instant [s], after which growth is held; none before anything is appended.
+  [[nodiscard]] std::optional<double> last_time() const {
+    return times_.empty() ? std::nullopt : std::optional(times_.back());
+  }
   void at(double t, std::span<Expansion> out) const;    ///< [m]
   void rate(double t, std::span<Expansion> out) const;  ///< [m/s]; at an instant that of the interval after it
 

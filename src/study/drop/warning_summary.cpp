@@ -97,6 +97,10 @@ std::string sentence(const RunWarning& w) {
         "the rotor ends tilted by {:.3g} rad ({:.3g} degrees): its motion is that of small tilts, whose sine and "
         "cosine are off by more than 0.5 % above {:.2g} rad. It tips over if supports do not hold both its ends",
         w.worst, w.worst * 180. / std::numbers::pi, w.limit);
+  if (code == "recorded-growth")
+    return fmt::format(
+        "the growth of thermal.recorded ends at {:.4g} ms, and stays as it was to the end of the run at {:.4g} ms",
+        w.limit * 1e3, w.worst * 1e3);
   if (code == "window-error")
     return fmt::format(
         "{} windows left more than thermal.fe.window_tolerance = {:.2g} nm, the most{} ({:.2g} nm); a shorter "
