@@ -34,7 +34,8 @@ std::string driver_in_words(const ThermalParameters& t) {
   const std::string driver = driver_of(t);
   if (driver == recorded_driver) return "recorded by an earlier run";
   const ThermalKind* kind = thermal_kind(driver);
-  return kind ? kind->title : fmt::format("none (thermal.driver = \"{}\")", driver);
+  if (kind) return kind->title;
+  return t.models.empty() ? "none (thermal.models = [])" : fmt::format("none (thermal.driver = \"{}\")", driver);
 }
 
 std::string header(const Case& c) {

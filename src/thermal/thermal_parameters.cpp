@@ -73,7 +73,8 @@ bool is_group_of_results(const std::string& name) {
   return taken.count(name) != 0;
 }
 
-std::vector<std::string> read_thermal_models(const Node& node, const std::string& name, Faults& faults) {
+std::vector<std::string> read_thermal_models(const Node& node, const std::string& name, bool may_be_none,
+                                             Faults& faults) {
   const auto known = thermal_kind_names();
   std::vector<std::string> given, models;
   bool is_good = node.is_array();
@@ -88,11 +89,11 @@ std::vector<std::string> read_thermal_models(const Node& node, const std::string
   }
   for (const auto& model : known)
     if (std::find(given.begin(), given.end(), model) != given.end()) models.push_back(model);
-  if (!is_good || models.empty())
-    faults.add(
-        node.where(),
-        name + " must be " + list_of_thermal_models() + ", such as [\"" + known[0] + "\", \"" + known[1] + "\"].",
-        advice);
+  if (!is_good || (models.empty() && !may_be_none))
+    faults.add(node.where(),
+               name + " must be " + list_of_thermal_models() + ", such as [\"" + known[0] + "\", \"" + known[1] +
+                   "\"]" + (may_be_none ? ", or [] for none." : "."),
+               advice);
   return models;
 }
 
@@ -134,14 +135,16 @@ MakeThermalModel maker_of(const ThermalParameters& p, const ThermalKind& kind, F
 Section<ThermalParameters> thermal_section() {
   using P = ThermalParameters;
   Section<P> s("thermal", "Lumped thermal circuit of every touchdown bearing.");
-  s.custom("models",
-           {.accepts = list_of_thermal_models(),
-            .json_types = {"array"},
-            .fallback = Node::array({Node(thermal_kinds().front()->name)}),
-            .help = "Thermal models that run: the lumped circuit, the finite elements, or both on the same heat."},
-           [](const Node& node, P& target, Faults& faults) {
-             target.models = read_thermal_models(node, "thermal.models", faults);
-           });
+  s.custom(
+      "models",
+      {.accepts = list_of_thermal_models(),
+       .json_types = {"array"},
+       .fallback = Node::array({Node(thermal_kinds().front()->name)}),
+       .help = "Thermal models that run: the lumped circuit, the finite elements, or both on the same heat. []: none; "
+               "parts stay at ambient, and friction heat and the rub's local temperatures are still told."},
+      [](const Node& node, P& target, Faults& faults) {
+        target.models = read_thermal_models(node, "thermal.models", true, faults);
+      });
   s.choice("driver", &P::driver, driver_words(),
            {.fallback = automatic_driver,
             .help = "Source of the thermal growth that is fed back: a thermal model, none, or the record of an earlier "

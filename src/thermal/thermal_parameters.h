@@ -53,8 +53,9 @@ struct ExtraResistor {
 };
 
 /// Names of registered thermal models, each once, in the order of thermal_kinds().
-/// @param name  of the key, for messages: "thermal.models"
-std::vector<std::string> read_thermal_models(const Node& node, const std::string& name, Faults& faults);
+/// @param name  of the key, for messages: "thermal.models"; @param may_be_none  whether an empty list is allowed
+std::vector<std::string> read_thermal_models(const Node& node, const std::string& name, bool may_be_none,
+                                             Faults& faults);
 /// What a key with them accepts: a list of all that are registered.
 std::string list_of_thermal_models();
 

@@ -52,6 +52,38 @@ def value_at(tree, path):
     return tree
 
 
+class WithoutThermalModels(ProgramTest):
+    def test_the_motion_is_that_of_a_model_whose_growth_is_not_fed_back(self):
+        """By fixed steps: error control looks at all states, also those of a circuit."""
+        fixed = {"integration__method": "runge-kutta-4"}
+        case = self.case("")
+        apart = self.run_case(case, output="apart", thermal__driver='"none"', **fixed)
+        none = self.run_case(case, output="none", thermal__models="[]", **fixed)
+        files = [h5py.File(self.folder / f"{name}/results.h5") for name in ("apart", "none")]
+        for file in files:
+            self.addCleanup(file.close)
+        for dataset in ("bearings/TB1/orbit", "bearings/TB2/contact_force", "ledger/TB1/rub_heat_into_ring", "bearings/TB2/ring_speed"):
+            numpy.testing.assert_array_equal(*(file[dataset] for file in files), err_msg=dataset)
+        self.assertEqual(none["energy"]["heat_deposited"], apart["energy"]["heat_deposited"])
+        self.assertGreater(none["energy"]["heat_deposited"], 50)
+        self.assertLess(abs(none["energy"]["residual"]), 1e-6 * none["energy"]["dissipated"])
+        for name, bearing in none["bearings"].items():
+            self.assertEqual(bearing["local"], apart["bearings"][name]["local"], name)
+            self.assertNotIn("temperature_rise_end", bearing)
+        self.assertNotIn("temperature", files[1]["bearings/TB1"])
+
+    def test_it_is_said(self):
+        case = self.case("thermal.models = []\n")
+        shown = self.succeed("run", case, "-o", "out").stdout
+        self.assertIn("thermal growth fed back: none (thermal.models = [])", shown)
+        self.assertNotIn("temperature rise ", shown.replace("local temperature rise ", ""))
+        self.succeed("report", "out")
+        self.assertIn("No thermal model ran: all parts stay at ambient temperature.", (self.folder / "out/report.html").read_text())
+        limit = self.call("run", case, "-o", "limited", *settings(limits__bearings__TB1__temperature_rise_end__shaft__max='"5 K"'))
+        self.assertEqual(limit.returncode, 2)
+        self.assertIn("no result is called so", limit.stderr)
+
+
 class Results(ProgramTest):
     def test_pressures_go_with_the_cube_root_of_the_loads(self):
         summary = self.run_case(self.case(""), output="pressed")

@@ -90,9 +90,10 @@ std::string bearing_text(const BearingSummary& b, double ambient, double rotor_s
                                             : ms(s.first_contact_time),
                                  b.shoulder ? "in the bore " : "", in_kilonewtons({s.contact_force.value}),
                                  in_joules(b.friction_heat, 1), in_kilowatts(s.friction_heat_rate.value));
-  text += fmt::format("{:{}}ring speed {:.0f} rpm at the end, {}; mean temperature rise {}\n", "", indent,
+  const std::string rises = all_rises_text(b, ambient);
+  text += fmt::format("{:{}}ring speed {:.0f} rpm at the end, {}{}{}\n", "", indent,
                       std::round(s.ring_speed_end * to_rpm) + 0., spin_up_text(s, rotor_speed_end),
-                      all_rises_text(b, ambient));
+                      rises.empty() ? "" : "; mean temperature rise ", rises);
   if (b.local) text += local_text(b.name, *b.local, std::isfinite(b.scalars.first_shoulder_contact_time));
   if (b.damage) text += damage_text(*b.damage, indent);
   if (b.is_free)

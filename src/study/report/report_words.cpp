@@ -29,7 +29,7 @@ std::string words_of_driver(const std::string& driver) {
 std::string words_of_models(const ThermalParameters& thermal) {
   std::vector<std::string> titles;
   for (const ThermalKind* kind : chosen_kinds(thermal)) titles.push_back(kind->title);
-  return fmt::format("{}", fmt::join(titles, " and "));
+  return titles.empty() ? "none" : fmt::format("{}", fmt::join(titles, " and "));
 }
 
 /// "on linear supports and magnets.": of a rotor without touchdown bearings.
@@ -134,8 +134,11 @@ Json report_words(const RecordedDrop& drop) {
                           p.contact.friction_coefficient)
             : fmt::format("{:.3g}", p.contact.friction_coefficient),
         p.contact.friction_over_temperature ? ", times a factor over the inner ring's mean temperature" : ""));
-    words.push_back(fmt::format("Thermal models: {}. The clearances follow {}.", words_of_models(p.thermal),
-                                words_of_driver(drop.driver())));
+    if (p.thermal.models.empty() && drop.driver() != recorded_driver)
+      words.push_back("No thermal model ran: all parts stay at ambient temperature.");
+    else
+      words.push_back(fmt::format("Thermal models: {}. The clearances follow {}.", words_of_models(p.thermal),
+                                  words_of_driver(drop.driver())));
   }
   return words;
 }

@@ -237,7 +237,7 @@ Section<PrescribedHeatParameters> prescribed_heat_section() {
             .json_types = {"array"},
             .help = "Thermal models to run; thermal.models if omitted."},
            [](const Node& node, P& target, Faults& faults) {
-             target.models = read_thermal_models(node, "heat.models", faults);
+             target.models = read_thermal_models(node, "heat.models", false, faults);
            });
   s.quantities("output_times", &P::output_times,
                {.unit = "s",
