@@ -83,6 +83,14 @@ class WithoutThermalModels(ProgramTest):
         self.assertEqual(limit.returncode, 2)
         self.assertIn("no result is called so", limit.stderr)
 
+    def test_heat_needs_one(self):
+        heat = '[heat]\nbearing = "TB1"\noutput_times = ["1 ms"]\n[[heat.source]]\nport = "inner"\ntimes = ["0 s"]\nvalues = ["10 W"]\n'
+        for case, where in ((self.write("h.toml", 'base = "reference.toml"\nthermal.models = []\n' + heat), "h.toml:2:18: thermal.models is empty"),
+                            (self.write("own.toml", 'base = "reference.toml"\n' + heat.replace("[heat]", "[heat]\nmodels = []")), "own.toml:3:10: heat.models must be a list of")):
+            done = self.call("heat", case, "-o", "heated")
+            self.assertEqual(done.returncode, 2)
+            self.assertIn(where, done.stderr)
+
 
 class Results(ProgramTest):
     def test_pressures_go_with_the_cube_root_of_the_loads(self):

@@ -241,6 +241,10 @@ std::unique_ptr<BearingHeatCase> read_bearing_heat_case(const std::filesystem::p
     p.thermal.expansion = GrowthSource::formula;
   Faults faults;
   check_machine(p, c->drop.tree, faults);
+  if (p.thermal.models.empty())
+    faults.add(position_of_value(table_of(c->drop.tree, "thermal"), "models"),
+               "thermal.models is empty, so there is no model to heat.",
+               "Give heat.models, such as [\"" + thermal_kinds().front()->name + "\"].");
   c->bearing = chosen_bearing(c->drop, *p.heat, table, faults);
   c->history = make_heat_history(*p.heat, table, p.thermal, c->bearing, read_recorded_heat, faults);
   faults.throw_if_any();
