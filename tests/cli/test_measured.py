@@ -215,6 +215,8 @@ class Measured(ProgramTest):
         self.assertIn('Did you mean "/bearings/TB1/orbit"', self.call("compare", "truth", "--measured", "bad.csv").stderr)
         self.write("bad.csv", "time,/bearings/TB1/orbit[0] [N]\n0,1\n1e-3,2\n2e-3,3\n")
         self.assertIn("is in m, but the measured values are in N", self.call("compare", "truth", "--measured", "bad.csv").stderr)
+        self.write("bad.csv", "time,/bearings/TB1/orbit[2] [um]\n0,1\n1e-3,2\n2e-3,3\n")
+        self.assertIn("bad.csv: component 2: /bearings/TB1/orbit has 2 columns.\n       Columns count from 0.", self.call("compare", "truth", "--measured", "bad.csv").stderr)
         self.write("bad.csv", "time,y\n0,1\n")
         done = self.call("compare", "truth", "--measured", "bad.csv")
         self.assertEqual(done.returncode, 2)

@@ -87,9 +87,15 @@ MeasuredComparison compare_with_measured(const RecordedDrop& drop, const std::ve
     if (!m.unit.empty() && !is_same_unit(m.unit, unit))
       throw InputError({m.keys.file, 0, 0},
                        fmt::format("{} is in {}, but the measured values are in {}.", m.keys.series, unit, m.unit));
+    const auto column = static_cast<std::size_t>(m.keys.component);
+    if (const std::size_t n_columns = drop.table(m.keys.series).n_columns; column >= n_columns)
+      throw InputError(
+          {m.keys.file, 0, 0},
+          fmt::format("component {}: {} has {} column{}.", column, m.keys.series, n_columns, n_columns == 1 ? "" : "s"),
+          "Columns count from 0.");
     Measured own = m;
     own.unit = unit;
-    const TimeSeries quantity = drop.series(m.keys.series, static_cast<std::size_t>(m.keys.component));
+    const TimeSeries quantity = drop.series(m.keys.series, column);
     leave_out_after(own, quantity.times.back(), {m.keys.file, 0, 0});
     const auto computed = sensed(quantity, own);
     made.report["measured"].push_back(measured_difference(own, computed));
