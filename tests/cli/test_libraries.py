@@ -53,6 +53,13 @@ class ListsOfLibraries(ProgramTest):
                     if needed in found:
                         self.assertLess(place[needed], place[name], f"{needed} below {name}")
 
+    def test_functions_of_eigen_stay_a_modules_own(self):
+        """gmsh has the same ones. Built for another alignment, as by -march=native or with sanitizers, it would free what the module's have allotted otherwise."""
+        for module in MODULES:
+            symbols = subprocess.run(["nm", "-D", "--defined-only", module], capture_output=True, text=True, check=True).stdout
+            self.assertIn("rotordrop", symbols)
+            self.assertNotIn("5Eigen", symbols, module)
+
     def test_libraries_that_define_the_same_are_left_to_the_module(self):
         """Two builds of Scotch, or of BLAS: opened by itself, one would find its own functions where all of them together find the other's."""
         for module in MODULES:
