@@ -70,16 +70,15 @@ class Way {
     return end.is_settled || end.limit != LimitMet::none;
   }
   /// Rates of a step are its means, and stand at its middle: fast modes stand off their place by the integration's error, and their rate of the moment is
-  /// that error times thousands. At the start of all there is no step yet.
+  /// that error times thousands. The step began where the course stands; at the start of all there is none yet.
   void look_at_rates(double t, std::span<const double> y) {
     const Rates last = std::move(rates_);
     const bool is_first = t == 0.;
-    rates_ = {is_first ? 0. : 0.5 * (ended_at_ + t), std::vector<double>(y.size())};
+    rates_ = {0.5 * (course_.time + t), std::vector<double>(y.size())};
     if (is_first)
       system_.rhs(t, y, rates_.of);
     else
-      for (std::size_t i = 0; i < y.size(); ++i) rates_.of[i] = (y[i] - course_.y[i]) / (t - ended_at_);
-    ended_at_ = t;
+      for (std::size_t i = 0; i < y.size(); ++i) rates_.of[i] = (y[i] - course_.y[i]) / (t - course_.time);
     rates_.of.resize(loop_.size());  // of temperatures
     course_.is_settled = std::all_of(rates_.of.begin(), rates_.of.end(), [&](double r) { return is_slow(r); });
     course_.time = course_.is_settled && !is_first ? settling_between(last, rates_) : t;
@@ -140,8 +139,7 @@ class Way {
   PreloadLimits limits_;
   PreloadTransient system_;
   PreloadCourse course_;
-  Rates rates_;          // of the last step
-  double ended_at_ = 0;  // its end [s]
+  Rates rates_;  // of the last step
 };
 
 }  // namespace
